@@ -1,0 +1,86 @@
+#ifndef EP_WORLD_H
+#define EP_WORLD_H
+
+#include <memory>
+#include <vector>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlastic6DofSpring2Constraint.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlastic6DofSpringConstraint.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticAction.h"
+#include "BulletDynamics/MLCPSolvers/btMLCPSolverInterface.h"
+#include "btBulletDynamicsCommon.h"
+
+namespace ep
+{
+/// The solvers a scene can run with.
+enum class Solver
+{
+	Stock,      ///< btSequentialImpulseConstraintSolver
+	Nncg,       ///< btNNCGConstraintSolver
+	Mlcp,       ///< btMLCPSolver with btDantzigSolver
+	Iterative,  ///< btElasticPlasticConstraintSolver, iterative
+};
+
+/// Which of the two constraint classes a joint is.
+enum class JointClass
+{
+	Spring,  ///< btElasticPlastic6DofSpringConstraint
+	Spring2  ///< btElasticPlastic6DofSpring2Constraint
+};
+
+/// A Bullet world with its parts, its elastic-plastic action, and all that scenes add to it. Owns everything.
+class World
+{
+public:
+	explicit World(Solver solver = Solver::Iterative, const btVector3& gravity = btVector3(0, -10, 0));
+	~World();
+	World(const World&) = delete;
+	World& operator=(const World&) = delete;
+
+	btDiscreteDynamicsWorld& bullet() { return *m_world; }
+	btElasticPlasticAction& action() { return m_action; }
+
+	/// Keeps a shape.
+	template <class Shape>
+	btCollisionShape* keep(Shape* shape)
+	{
+		m_shapes.emplace_back(shape);
+		return shape;
+	}
+	btCollisionShape* box(const btVector3& size) { return keep(new btBoxShape(size / 2)); }
+
+	/// Adds a body, mass 0 is static. Without damping and never asleep: reference problems want nothing but their physics.
+	btRigidBody* body(btScalar mass, btCollisionShape* shape, const btTransform& pose, bool collides = true);
+
+	/// Joins two bodies at a frame given in world coordinates and takes the joint into the action's books.
+	btElasticPlasticJoint* joint(btRigidBody& a, btRigidBody& b, const btTransform& frame,
+								 const btElasticPlasticCapacity& capacity, JointClass jointClass = JointClass::Spring2);
+
+	/// Keeps a constraint and adds it to the world.
+	void add(btTypedConstraint* constraint, bool disableCollisions = true);
+
+	const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return m_bodies; }
+	const std::vector<btElasticPlasticJoint*>& joints() const { return m_joints; }
+
+	/// One step of dt, in the given number of equal substeps.
+	void step(btScalar dt, int substeps = 1);
+
+	/// Kinetic energy of all bodies [J].
+	double kineticEnergy() const;
+
+private:
+	btDefaultCollisionConfiguration m_configuration;
+	btCollisionDispatcher m_dispatcher;
+	btDbvtBroadphase m_broadphase;
+	std::unique_ptr<btMLCPSolverInterface> m_mlcp;
+	std::unique_ptr<btConstraintSolver> m_solver;
+	std::unique_ptr<btDiscreteDynamicsWorld> m_world;
+	btElasticPlasticAction m_action;
+	std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
+	std::vector<std::unique_ptr<btRigidBody>> m_bodies;
+	std::vector<std::unique_ptr<btTypedConstraint>> m_constraints;
+	std::vector<btElasticPlasticJoint*> m_joints;
+};
+}  // namespace ep
+
+#endif  // EP_WORLD_H

@@ -1,0 +1,46 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_6DOF_SPRING2_CONSTRAINT_H
+#define BT_ELASTIC_PLASTIC_6DOF_SPRING2_CONSTRAINT_H
+
+#include "BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h"
+#include "btElasticPlasticConstraint.h"
+
+/// btGeneric6DofSpring2Constraint whose degrees of freedom can yield, flow and tear.
+/// Those that setCapacity() gives a yield value are elastic-plastic; the others stay Bullet's (limits, motors, servos, springs,
+/// rotation order). Existing code changes the class name, calls setCapacity(), and registers the joint with a
+/// btElasticPlasticAction.
+ATTRIBUTE_ALIGNED16(class)
+btElasticPlastic6DofSpring2Constraint : public btElasticPlasticConstraint<btGeneric6DofSpring2Constraint>
+{
+public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	/// Joins two bodies, of which one may be static or kinematic.
+	/// \param frameInA, frameInB  the joint's frame in the bodies' coordinates, x along the member
+	btElasticPlastic6DofSpring2Constraint(btRigidBody & rbA, btRigidBody & rbB, const btTransform& frameInA,
+										  const btTransform& frameInB, RotateOrder rotOrder = RO_XYZ);
+
+	/// Joins a body to the world where it stands.
+	btElasticPlastic6DofSpring2Constraint(btRigidBody & rbB, const btTransform& frameInB,
+										  RotateOrder rotOrder = RO_XYZ);
+
+protected:
+	void releaseBase(int dof) override;
+	bool isBaseActive() override;
+};
+
+#endif  // BT_ELASTIC_PLASTIC_6DOF_SPRING2_CONSTRAINT_H

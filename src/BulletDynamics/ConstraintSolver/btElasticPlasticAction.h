@@ -1,0 +1,99 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_ACTION_H
+#define BT_ELASTIC_PLASTIC_ACTION_H
+
+#include "BulletDynamics/Dynamics/btActionInterface.h"
+#include "LinearMath/btAlignedObjectArray.h"
+#include "btElasticPlasticEvent.h"
+#include "btElasticPlasticJoint.h"
+
+class btDynamicsWorld;
+
+/// The bookkeeping of a world's elastic-plastic joints: one per world, added with btDynamicsWorld::addAction.
+/// Once per substep it commits every joint that was solved, takes broken ones out of the world, and reports events.
+/// A broken joint whose bodies overlap stays in the world without rows until they have parted, see btElasticPlasticParting.h.
+///
+/// It owns nothing. Joints may be deleted, removed from the world or from here, in any order; so may the action.
+/// As in Bullet, a body must not leave the world before its constraints do: removeBody() takes care of that.
+class btElasticPlasticAction : public btActionInterface
+{
+public:
+	btElasticPlasticAction() {}
+	~btElasticPlasticAction() override;
+
+	/// Takes a joint into the books; the world gets it, as ever, by btDynamicsWorld::addConstraint.
+	/// A joint belongs to one action; adding it again does nothing.
+	/// \return false if the joint is refused, see btElasticPlasticJoint::fault; the listener is told why.
+	bool addJoint(btElasticPlasticJoint* joint);
+
+	/// Forgets a joint and its events. It stays in the world, if it is not broken.
+	void removeJoint(btElasticPlasticJoint* joint);
+
+	/// Takes a body and all its constraints out of the world, elastic-plastic or not, and forgets its joints.
+	void removeBody(btDynamicsWorld& world, btRigidBody& body);
+
+	/// Puts a broken joint back into its world as new: no force, no plastic deformation, no damage, at the bodies' present pose.
+	/// \return false if the joint is not broken or not known here.
+	bool repair(btElasticPlasticJoint* joint);
+
+	int getNumJoints() const { return m_joints.size() + m_broken.size(); }
+	int getNumBroken() const { return m_broken.size(); }
+
+	/// Joints in the order they were added; broken ones come last, in the order they broke.
+	btElasticPlasticJoint* getJoint(int index) const
+	{
+		return index < m_joints.size() ? m_joints[index].m_joint : m_broken[index - m_joints.size()].m_joint;
+	}
+
+	/// With a listener, events go to it and not to the queue. Null: back to the queue. It must outlive the action.
+	void setListener(btElasticPlasticListener* listener) { m_listener = listener; }
+
+	/// Takes the oldest event from the queue. \return false if there is none.
+	/// A joint makes at most two between repairs, so an unread queue stays bounded.
+	bool popEvent(btElasticPlasticEvent& event);
+
+	/// Sum of the substeps seen [s].
+	double getTime() const { return m_time; }
+
+	void updateAction(btCollisionWorld* world, btScalar timeStep) override;
+
+	/// Draws all joints, see btElasticPlasticDebugDraw.h.
+	void debugDraw(btIDebugDraw* drawer) override;
+
+private:
+	struct Entry
+	{
+		btElasticPlasticJoint* m_joint;
+		btDynamicsWorld* m_world;  ///< a broken joint's world, else null
+		bool m_disableCollisions;  ///< between the joint's bodies, while it holds
+	};
+
+	void report(btElasticPlasticEventType type, btElasticPlasticJoint& joint);
+	bool removeBroken(btDynamicsWorld& world, btElasticPlasticJoint& joint);
+	void endPartings();
+	void endParting(btElasticPlasticJoint& joint);
+	void deliver();
+
+	btAlignedObjectArray<Entry> m_joints;
+	btAlignedObjectArray<Entry> m_broken;
+	btAlignedObjectArray<btElasticPlasticEvent> m_events;
+	btElasticPlasticListener* m_listener = nullptr;
+	double m_time = 0;
+	int m_parting = 0;  ///< broken joints whose bodies still overlap
+};
+
+#endif  // BT_ELASTIC_PLASTIC_ACTION_H

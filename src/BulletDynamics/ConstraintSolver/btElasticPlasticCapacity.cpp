@@ -1,0 +1,121 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#include "btElasticPlasticCapacity.h"
+
+#include "LinearMath/btMinMax.h"
+
+btElasticPlasticCapacity::btElasticPlasticCapacity()
+{
+	m_rigidPlastic = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		clear(i);
+}
+
+void btElasticPlasticCapacity::set(int dof, btScalar stiffness, btScalar yield, btScalar ductility)
+{
+	btAssert(dof >= 0 && dof < BT_EP_DOF_COUNT);
+	m_stiffness[dof] = stiffness;
+	m_yield[dof] = yield;
+	m_ductility[dof] = ductility;
+	m_rigidPlastic &= ~(1u << dof);
+}
+
+void btElasticPlasticCapacity::setRigidPlastic(int dof, btScalar yield, btScalar ductility)
+{
+	set(dof, 0, yield, ductility);
+	m_rigidPlastic |= 1u << dof;
+}
+
+void btElasticPlasticCapacity::clear(int dof) { set(dof, 0, 0, unlimited()); }
+
+void btElasticPlasticCapacity::scaleYield(btScalar factor)
+{
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		m_yield[i] *= factor;
+}
+
+btElasticPlasticFault btElasticPlasticCapacity::fault() const
+{
+	if (m_fault)
+		return m_fault;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		const bool linear = i < 3;
+		if (btElasticPlasticFault f =
+				btElasticPlasticCheckNotNegative(linear ? "stiffness [N/m]" : "stiffness [N m/rad]", m_stiffness[i], i))
+			return f;
+		if (btElasticPlasticFault f =
+				btElasticPlasticCheckNotNegative(linear ? "yield force [N]" : "yield moment [N m]", m_yield[i], i))
+			return f;
+		if (btElasticPlasticFault f =
+				btElasticPlasticCheckPositive(linear ? "ductility [m]" : "ductility [rad]", m_ductility[i], i))
+			return f;
+		if (isElasticPlastic(i) && !isRigidPlastic(i) && !(m_stiffness[i] > 0))
+		{
+			btElasticPlasticFault f;
+			f.m_quantity = linear ? "stiffness [N/m]" : "stiffness [N m/rad]";
+			f.m_value = m_stiffness[i];
+			f.m_range = "greater than 0 where there is a yield value (or rigid-plastic, by setRigidPlastic)";
+			f.m_dof = i;
+			return f;
+		}
+	}
+	return btElasticPlasticFault();
+}
+
+btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPlasticMaterial& material,
+															  const btElasticPlasticSection& section, btScalar lengthA,
+															  btScalar lengthB, btScalar gaugeLength)
+{
+	btElasticPlasticCapacity c;
+	c.m_fault = material.fault();
+	if (!c.m_fault)
+		c.m_fault = section.m_fault;
+	if (!c.m_fault)
+		c.m_fault = btElasticPlasticCheckPositive("section area [m^2]", section.m_area);
+	if (!c.m_fault)
+		c.m_fault = btElasticPlasticCheckNotNegative("length of the first part [m]", lengthA);
+	if (!c.m_fault)
+		c.m_fault = btElasticPlasticCheckNotNegative("length of the second part [m]", lengthB);
+	if (!c.m_fault)
+		c.m_fault = btElasticPlasticCheckPositive("sum of the parts' lengths [m]", lengthA + lengthB);
+	if (!c.m_fault)
+		c.m_fault = btElasticPlasticCheckNotNegative("gauge length [m]", gaugeLength);
+	if (c.m_fault)
+		return c;
+
+	const btScalar share = material.m_loadBearingShare;
+	const btScalar E = material.m_youngsModulus * share, G = material.shearModulus() * share;
+	const btScalar fy = material.m_yieldStress * share, tau = material.shearYieldStress() * share;
+	const btScalar a = lengthA / 2, b = lengthB / 2, l = a + b;
+	const btScalar plastic = material.m_ultimatePlasticStrain * (gaugeLength > 0 ? gaugeLength : l);
+	// Equal work fy de = tau dg makes a shear strain g equivalent to a strain e = g tau / fy.
+	const btScalar plasticShear = plastic * fy / tau;
+
+	c.set(BT_EP_AXIAL, E * section.m_area / l, section.m_area * fy, plastic);
+	c.set(BT_EP_TORSION, G * section.m_torsionConstant / l, section.m_plasticTorsionModulus * tau,
+		  plasticShear / btMax(section.m_outerFibre[0], section.m_outerFibre[1]));
+	for (int i = 0; i < 2; ++i)
+	{
+		// A force along y (i = 0) bends about z, one along z about y: the other second moment.
+		const btScalar halves = (a * a * a + b * b * b) / (3 * E * section.m_secondMoment[1 - i]);
+		c.set(BT_EP_SHEAR_Y + i, 1 / (l / (G * section.m_shearArea[i]) + halves), section.m_plasticShearArea[i] * tau,
+			  plasticShear);
+		c.set(BT_EP_BENDING_Y + i, E * section.m_secondMoment[i] / l, section.m_plasticModulus[i] * fy,
+			  plastic / section.m_outerFibre[1 - i]);
+	}
+	return c;
+}

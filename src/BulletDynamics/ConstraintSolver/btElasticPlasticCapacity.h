@@ -1,0 +1,76 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_CAPACITY_H
+#define BT_ELASTIC_PLASTIC_CAPACITY_H
+
+#include "btElasticPlasticMaterial.h"
+#include "btElasticPlasticSection.h"
+
+/// What a joint can bear in each of its six degrees of freedom (see btElasticPlasticDof): stiffness, yield, ductility.
+/// From material and section by fromMember(), or set by hand. SI units, joint frame.
+/// A degree of freedom whose yield is 0 is not elastic-plastic: it has no row, and Bullet's class keeps it.
+struct btElasticPlasticCapacity
+{
+	/// Stands for "never": a yield value that leaves a degree of freedom elastic, a ductility that never breaks.
+	static btScalar unlimited() { return btScalar(BT_LARGE_FLOAT); }
+
+	btScalar m_stiffness
+		[BT_EP_DOF_COUNT];  ///< [N/m], [N m/rad], finite, >= 0; a steel bar of 1 cm^2 and 1 m has 2e7 N/m. Of a rigid-plastic degree of freedom: not used
+	btScalar m_yield[BT_EP_DOF_COUNT];      ///< force or moment at which it flows [N], [N m], finite, >= 0
+	btScalar m_ductility[BT_EP_DOF_COUNT];  ///< plastic deformation at which the joint breaks [m], [rad], finite, > 0
+	unsigned m_rigidPlastic;                ///< bit i: degree of freedom i does not spring, it only flows
+	btElasticPlasticFault m_fault;          ///< of the material, section or length it was made from
+
+	/// Nothing is elastic-plastic, ductility unlimited.
+	btElasticPlasticCapacity();
+
+	/// Elastic-plastic in one degree of freedom, by hand.
+	/// stiffness > 0, yield > 0 (or unlimited()), ductility > 0 (or unlimited()).
+	void set(int dof, btScalar stiffness, btScalar yield, btScalar ductility = unlimited());
+
+	/// Rigid-plastic in one degree of freedom: no spring, it holds up to yield and then flows.
+	void setRigidPlastic(int dof, btScalar yield, btScalar ductility = unlimited());
+
+	/// Takes a degree of freedom out: no row, no cost.
+	void clear(int dof);
+
+	/// Multiplies all yield values (a weakened joint: factor < 1; factor must be finite and not negative).
+	void scaleYield(btScalar factor);
+
+	bool isElasticPlastic(int dof) const { return m_yield[dof] > 0; }
+	bool isRigidPlastic(int dof) const { return isElasticPlastic(dof) && (m_rigidPlastic >> dof & 1u); }
+
+	/// First value that is out of its range; yield without stiffness is one, unless rigid-plastic.
+	btElasticPlasticFault fault() const;
+
+	/// Capacity of the joint between two rigid parts of one member, which stands for the member between the parts' centres.
+	///
+	/// \param lengthA, lengthB  lengths of the two parts along the member [m], >= 0 and not both 0; a support that does not deform has 0.
+	/// \param gaugeLength       length over which plastic strain spreads when it tears [m], > 0; 0: the length l below.
+	///
+	/// With a = lengthA/2, b = lengthB/2, l = a + b, and A etc. times the material's load-bearing share:
+	///  - axial E A / l, torsion G J / l, bending E I / l;
+	///  - shear 1 / (l/(G A_s) + (a^3 + b^3)/(3 E I)): the second part is the bending of the two halves as cantilevers under
+	///    the joint's shear force, which a joint at one point does not see otherwise; it matters where parts are longer than high;
+	///  - yields N = A f_y, Q = A_v tau_y, T = W_T tau_y, M = W_pl f_y (paper, equations 10 to 14 and Table IV);
+	///  - ductility: elongation e_u g, slip (f_y/tau_y) e_u g, rotation e_u g / c, twist (f_y/tau_y) e_u g / c,
+	///    with the ultimate plastic strain e_u, gauge length g and distance c of the outer fibre.
+	static btElasticPlasticCapacity fromMember(const btElasticPlasticMaterial& material,
+											   const btElasticPlasticSection& section, btScalar lengthA,
+											   btScalar lengthB, btScalar gaugeLength = 0);
+};
+
+#endif  // BT_ELASTIC_PLASTIC_CAPACITY_H

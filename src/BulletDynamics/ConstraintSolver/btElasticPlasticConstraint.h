@@ -1,0 +1,82 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_CONSTRAINT_H
+#define BT_ELASTIC_PLASTIC_CONSTRAINT_H
+
+#include "btElasticPlasticJoint.h"
+
+/// One of Bullet's 6-dof constraints with the elastic-plastic joint added: first Base's own rows, then the elastic-plastic ones.
+/// A degree of freedom belongs to one of the two. Where Base has nothing to do it is not asked.
+template <class Base>
+class btElasticPlasticConstraint : public Base, public btElasticPlasticJoint
+{
+public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	void buildJacobian() override
+	{
+		ensureFeedback();
+		holdOverlap();
+		Base::buildJacobian();
+	}
+
+	void getInfo1(btTypedConstraint::btConstraintInfo1* info) override
+	{
+		info->m_numConstraintRows = info->nub = 0;
+		m_baseRows = 0;
+		if (fault() || isBroken())
+			return;
+		if (isBaseActive())
+		{
+			Base::getInfo1(info);
+			m_baseRows = info->m_numConstraintRows;
+		}
+		else
+		{
+			// For Bullet's debug drawing of constraints.
+			Base::m_calculatedTransformA = Base::m_rbA.getCenterOfMassTransform() * Base::m_frameInA;
+			Base::m_calculatedTransformB = Base::m_rbB.getCenterOfMassTransform() * Base::m_frameInB;
+		}
+		info->m_numConstraintRows += prepare();
+	}
+
+	void getInfo2(btTypedConstraint::btConstraintInfo2* info) override
+	{
+		if (m_baseRows > 0)
+			Base::getInfo2(info);
+		writeRows(info, m_baseRows);
+	}
+
+	void solveConstraintObsolete(btSolverBody& bodyA, btSolverBody&, btScalar timeStep) override
+	{
+		answer(bodyA, timeStep);
+	}
+
+protected:
+	template <class... Arguments>
+	explicit btElasticPlasticConstraint(Arguments&&... arguments)
+		: Base(arguments...), btElasticPlasticJoint(*static_cast<Base*>(this), Base::m_frameInA, Base::m_frameInB)
+	{
+	}
+
+	/// Does Base have a limit, motor or spring on any degree of freedom?
+	virtual bool isBaseActive() = 0;
+
+private:
+	int m_baseRows = 0;
+};
+
+#endif  // BT_ELASTIC_PLASTIC_CONSTRAINT_H

@@ -1,0 +1,64 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_EVENT_H
+#define BT_ELASTIC_PLASTIC_EVENT_H
+
+#include "LinearMath/btVector3.h"
+
+class btElasticPlasticJoint;
+class btRigidBody;
+
+/// What happened to a joint in a substep.
+enum btElasticPlasticEventType
+{
+	BT_EP_EVENT_YIELD,  ///< it flowed for the first time
+	BT_EP_EVENT_BREAK   ///< its ductility is spent; it has left the world
+};
+
+/// An event, complete in itself but for the objects it points to.
+ATTRIBUTE_ALIGNED16(struct)
+btElasticPlasticEvent
+{
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	btVector3 m_position;  ///< of the joint, world coordinates [m]
+	btVector3 m_force;     ///< in the joint's own frame [N]
+	btVector3 m_moment;    ///< in the joint's own frame [N m]
+	double m_time;         ///< sum of the substeps the action has seen [s]
+	double m_energy;       ///< taken up by the joint so far, elastic and plastic [J]
+	btElasticPlasticJoint* m_joint;
+	btRigidBody* m_bodyA;
+	btRigidBody* m_bodyB;
+	btElasticPlasticEventType m_type;
+	int m_dof;  ///< yield: the most used degree of freedom; break: the one with the largest share of ductility spent
+};
+
+/// Derive from it to hear of events; give it to btElasticPlasticAction::setListener.
+/// All methods are called at the end of the action's update, when the substep's bookkeeping is done: joints, bodies and
+/// constraints may be added, removed and deleted there, but not actions.
+class btElasticPlasticListener
+{
+public:
+	virtual ~btElasticPlasticListener() {}
+	virtual void onYield(const btElasticPlasticEvent&) {}
+	virtual void onBreak(const btElasticPlasticEvent&) {}
+
+	/// A joint was refused; text names it, the value and the valid range. Called from btElasticPlasticAction::addJoint.
+	/// The default prints the text to the standard error output.
+	virtual void onRefused(btElasticPlasticJoint& joint, const char* text);
+};
+
+#endif  // BT_ELASTIC_PLASTIC_EVENT_H

@@ -1,0 +1,60 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_FAULT_H
+#define BT_ELASTIC_PLASTIC_FAULT_H
+
+#include "LinearMath/btScalar.h"
+
+/// What is wrong with an input: which quantity, its value, and what it may be.
+/// It travels with the data (section, capacity, joint), so that the place that refuses can name the place that erred.
+struct btElasticPlasticFault
+{
+	const char* m_quantity = nullptr;  ///< name and unit, a string literal; null: nothing is wrong
+	const char* m_range = nullptr;     ///< what is valid, a string literal
+	btScalar m_value = 0;              ///< the value that was given
+	int m_dof = -1;                    ///< degree of freedom it belongs to (0 to 5), -1: none
+
+	explicit operator bool() const { return m_quantity != nullptr; }
+
+	/// Writes "quantity of degree of freedom d (name) is value; it must be range" to text, always terminated.
+	void print(char* text, int capacity) const;
+};
+
+/// Names of the six degrees of freedom in the joint's own frame; x runs along the member.
+enum btElasticPlasticDof
+{
+	BT_EP_AXIAL,      ///< translation along x
+	BT_EP_SHEAR_Y,    ///< translation along y, the direction of the section's height
+	BT_EP_SHEAR_Z,    ///< translation along z, the direction of the section's width
+	BT_EP_TORSION,    ///< rotation about x
+	BT_EP_BENDING_Y,  ///< rotation about y: bends in the direction of the width
+	BT_EP_BENDING_Z,  ///< rotation about z: bends in the direction of the height
+	BT_EP_DOF_COUNT
+};
+
+/// "axial", "shear y", ... "bending z"; "?" outside of 0 to 5.
+const char* btElasticPlasticDofName(int dof);
+
+/// True for numbers that are neither NaN nor infinite, whatever the compiler assumes of mathematics.
+bool btElasticPlasticIsFinite(double value);
+
+/// Fault for a value that is not a finite number greater than zero.
+btElasticPlasticFault btElasticPlasticCheckPositive(const char* quantity, btScalar value, int dof = -1);
+
+/// Fault for a value that is not a finite number of at least zero.
+btElasticPlasticFault btElasticPlasticCheckNotNegative(const char* quantity, btScalar value, int dof = -1);
+
+#endif  // BT_ELASTIC_PLASTIC_FAULT_H

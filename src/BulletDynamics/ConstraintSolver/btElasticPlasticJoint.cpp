@@ -1,0 +1,473 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#include "btElasticPlasticJoint.h"
+
+#include "BulletDynamics/ConstraintSolver/btSolverBody.h"
+#include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+#include "btElasticPlasticAction.h"
+#include "btElasticPlasticParting.h"
+
+#include <stdio.h>
+#include <string.h>
+
+btElasticPlasticJoint::btElasticPlasticJoint(btTypedConstraint& constraint, const btTransform& frameInA,
+											 const btTransform& frameInB)
+	: m_constraint(constraint), m_frameInA(frameInA), m_frameInB(frameInB)
+{
+	ensureFeedback();
+}
+
+btElasticPlasticJoint::~btElasticPlasticJoint()
+{
+	if (m_action)
+		m_action->removeJoint(this);
+}
+
+void btElasticPlasticJoint::ensureFeedback()
+{
+	if (m_constraint.getJointFeedback())
+		return;
+	const btVector3 zero(0, 0, 0);
+	m_feedback.m_appliedForceBodyA = m_feedback.m_appliedTorqueBodyA = zero;
+	m_feedback.m_appliedForceBodyB = m_feedback.m_appliedTorqueBodyB = zero;
+	m_constraint.setJointFeedback(&m_feedback);
+}
+
+// ---- settings
+
+bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity)
+{
+	m_capacity = capacity;
+	m_fault = findFault();
+	if (m_fault)
+		return false;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (m_capacity.isElasticPlastic(i))
+			releaseBase(i);
+	return true;
+}
+
+btElasticPlasticFault btElasticPlasticJoint::findFault() const
+{
+	btElasticPlasticFault f = m_capacity.fault();
+	if (f)
+		return f;
+	const btRigidBody* const bodies[2] = {&m_constraint.getRigidBodyA(), &m_constraint.getRigidBodyB()};
+	if (bodies[0]->getInvMass() == 0 && bodies[1]->getInvMass() == 0)
+	{
+		f.m_quantity = "number of bodies with mass";
+		f.m_range = "1 or 2: two static bodies cannot be joined";
+		return f;
+	}
+	for (int i = 3; i < BT_EP_DOF_COUNT; ++i)
+		for (int b = 0; b < 2 && m_capacity.isElasticPlastic(i); ++b)
+		{
+			const btVector3& inverse = bodies[b]->getInvInertiaDiagLocal();
+			if (bodies[b]->getInvMass() == 0 || (inverse.x() > 0 && inverse.y() > 0 && inverse.z() > 0))
+				continue;
+			f.m_quantity = b == 0 ? "smallest inertia of body A [kg m^2]" : "smallest inertia of body B [kg m^2]";
+			f.m_range = "greater than 0 for a body with mass: use btCollisionShape::calculateLocalInertia";
+			f.m_dof = i;
+			return f;
+		}
+	return f;
+}
+
+void btElasticPlasticJoint::setName(const char* name) { snprintf(m_name, sizeof m_name, "%s", name ? name : ""); }
+
+void btElasticPlasticJoint::printFault(char* text, int capacity) const
+{
+	char what[192];
+	m_fault.print(what, sizeof what);
+	const btVector3 p = getPosition();
+	snprintf(text, capacity > 0 ? capacity : 0, "joint '%s' (id %d) at (%g, %g, %g): %s", m_name,
+			 m_constraint.getUserConstraintId(), double(p.x()), double(p.y()), double(p.z()), what);
+}
+
+btVector3 btElasticPlasticJoint::getPosition() const { return (getFrameA().getOrigin() + getFrameB().getOrigin()) / 2; }
+
+void btElasticPlasticJoint::setReferenceToCurrentPose()
+{
+	btElasticPlasticKinematics now;
+	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
+				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
+				 m_state.m_plasticRotation);
+	for (int i = 0; i < 3; ++i)
+		m_state.m_initial[i] += now.m_strain[i];
+	m_state.m_plasticRotation = now.m_relative;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		m_state.m_force[i] = m_state.m_forceRate[i] = 0;
+	revert();
+}
+
+void btElasticPlasticJoint::resetState()
+{
+	m_state = btElasticPlasticState();
+	setReferenceToCurrentPose();
+}
+
+// ---- what it tells
+
+btScalar btElasticPlasticJoint::getElasticDeformation(int dof) const
+{
+	return m_capacity.m_stiffness[dof] > 0 ? m_state.m_force[dof] / m_capacity.m_stiffness[dof] : btScalar(0);
+}
+
+btScalar btElasticPlasticJoint::getUtilisation(int dof) const
+{
+	return m_capacity.isElasticPlastic(dof) ? btFabs(m_state.m_force[dof]) / m_capacity.m_yield[dof] : btScalar(0);
+}
+
+btScalar btElasticPlasticJoint::getUtilisation(int* limitingDof) const
+{
+	btScalar largest = 0;
+	int limiting = -1;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (getUtilisation(i) > largest)
+		{
+			largest = getUtilisation(i);
+			limiting = i;
+		}
+	if (limitingDof)
+		*limitingDof = limiting;
+	return largest;
+}
+
+btScalar btElasticPlasticJoint::getDamage() const
+{
+	btScalar damage = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		damage += getDamage(i);
+	return damage;
+}
+
+double btElasticPlasticJoint::getElasticEnergy() const
+{
+	double energy = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		energy += 0.5 * double(m_state.m_force[i]) * double(getElasticDeformation(i));
+	return energy;
+}
+
+// ---- the step: rows
+
+int btElasticPlasticJoint::prepare()
+{
+	revert();
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	if (m_fault || m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
+		return 0;
+	btElasticPlasticKinematics& k = m_step.m_kinematics;
+	k.evaluate(A.getCenterOfMassTransform(), B.getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
+			   m_state.m_plasticRotation);
+	// A body that something else made NaN must not take its neighbours with it.
+	btScalar sum = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		sum += k.m_strain[i];
+	if (!btElasticPlasticIsFinite(sum))
+		return 0;
+	// Angular rows first, as in Bullet's own classes.
+	for (int n = 0; n < BT_EP_DOF_COUNT; ++n)
+	{
+		const int dof = (n + 3) % BT_EP_DOF_COUNT;
+		if (m_capacity.isElasticPlastic(dof))
+			m_step.m_row[m_step.m_rows++].m_dof = dof;
+	}
+	return m_step.m_rows;
+}
+
+/// A = J M^-1 J^T of one row.
+btScalar btElasticPlasticJoint::diagonal(int dof) const
+{
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	const btVector3& axis = k.m_axis[dof % 3];
+	const btVector3 armA = dof < 3 ? k.m_rA.cross(axis) : axis, armB = dof < 3 ? k.m_rB.cross(axis) : axis;
+	const btScalar angular =
+		armA.dot(A.getInvInertiaTensorWorld() * armA) + armB.dot(B.getInvInertiaTensorWorld() * armB);
+	return dof < 3 ? A.getInvMass() + B.getInvMass() + angular : angular;
+}
+
+/// J v from the relative velocity of A to B at the common point and the relative angular velocity.
+btScalar btElasticPlasticJoint::rowVelocity(int dof, const btVector3& linear, const btVector3& angular) const
+{
+	return m_step.m_kinematics.m_axis[dof % 3].dot(dof < 3 ? linear : angular);
+}
+
+/// 1 / m_min of equation 16: the smaller of the bodies' masses or of their inertias about the axis.
+btScalar btElasticPlasticJoint::paperInverseMass(int dof) const
+{
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	if (dof < 3)
+		return btMax(A.getInvMass(), B.getInvMass());
+	const btVector3& axis = m_step.m_kinematics.m_axis[dof - 3];
+	return btMax((A.getInvInertiaTensorWorld() * axis).length(), (B.getInvInertiaTensorWorld() * axis).length());
+}
+
+btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const
+{
+	const btElasticPlasticDofState s = {m_capacity.m_stiffness[dof], m_capacity.m_yield[dof],
+										m_step.m_kinematics.m_strain[dof], m_state.m_force[dof],
+										m_state.m_forceRate[dof]};
+	if (m_capacity.isRigidPlastic(dof))
+		return btElasticPlasticRigidRow(s.m_yield, s.m_strain, erp, dt);
+	if (m_scheme == BT_EP_SCHEME_PAPER)
+		return m_constraint.getConstraintType() == D6_SPRING_CONSTRAINT_TYPE
+				   ? btElasticPlasticPaperMotorRow(s, dt)
+				   : btElasticPlasticPaperSpringRow(s, paperInverseMass(dof), dt);
+	return m_implicitRows ? btElasticPlasticImplicitRow(s, diagonal, dt) : btElasticPlasticStockRow(s, diagonal, dt);
+}
+
+static void copy(btScalar* to, const btVector3& from)
+{
+	for (int i = 0; i < 3; ++i)
+		to[i] = from[i];
+}
+
+void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
+{
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	const btScalar dt = 1 / info->fps;
+	const btVector3 linear = A.getVelocityInLocalPoint(k.m_rA) - B.getVelocityInLocalPoint(k.m_rB);
+	const btVector3 angular = A.getAngularVelocity() - B.getAngularVelocity();
+	m_step.m_dt = dt;
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		Row& row = m_step.m_row[r];
+		const btVector3& axis = k.m_axis[row.m_dof % 3];
+		const int s = (firstRow + r) * info->rowskip;
+		if (row.m_dof < 3)
+		{
+			copy(info->m_J1linearAxis + s, axis);
+			copy(info->m_J2linearAxis + s, -axis);
+			copy(info->m_J1angularAxis + s, k.m_rA.cross(axis));
+			copy(info->m_J2angularAxis + s, axis.cross(k.m_rB));
+		}
+		else
+		{
+			copy(info->m_J1angularAxis + s, axis);
+			copy(info->m_J2angularAxis + s, -axis);
+		}
+		const btScalar a = diagonal(row.m_dof);
+		row.m_row = makeRow(row.m_dof, a, info->erp, dt);
+		row.m_velocity0 = rowVelocity(row.m_dof, linear, angular);
+		row.m_impulse = 0;
+		info->m_constraintError[s] = row.m_row.m_velocity;
+		info->cfm[s] = row.m_row.m_compliance / a;
+		info->m_lowerLimit[s] = row.m_row.m_lower;
+		info->m_upperLimit[s] = row.m_row.m_upper;
+	}
+	if (firstRow > 0 && !m_implicitRows)
+		separateBaseRows(*info, firstRow);
+	else
+		m_dual.resize(0);
+	m_implicitRows = false;
+}
+
+namespace
+{
+/// A row's Jacobian on body A, or what is left of it.
+struct Direction
+{
+	btVector3 m_linear, m_angular;
+
+	btScalar dot(const Direction& d) const { return m_linear.dot(d.m_linear) + m_angular.dot(d.m_angular); }
+	void subtract(const Direction& d, btScalar factor)
+	{
+		m_linear -= d.m_linear * factor;
+		m_angular -= d.m_angular * factor;
+	}
+};
+}  // namespace
+
+/// The feedback sums the rows of Bullet's class and ours. Row i's impulse is its component along the dual vector: what is left
+/// of J_i after taking away its parts along all other rows, scaled so that its product with J_i is 1. Rows of Bullet's class
+/// may be parallel to each other (two limits), never to ours: they are on other degrees of freedom.
+void btElasticPlasticJoint::separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows)
+{
+	const int count = baseRows + m_step.m_rows;
+	m_dual.resize(2 * m_step.m_rows);
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		Direction orthonormal[BT_EP_DOF_COUNT], own = {};
+		int n = 0;
+		for (int j = 0; j <= count; ++j)
+		{
+			// The row itself comes last.
+			const int source = j == count ? baseRows + r : j;
+			if (j == baseRows + r)
+				continue;
+			const btScalar *linear = info.m_J1linearAxis + source * info.rowskip,
+						   *angular = info.m_J1angularAxis + source * info.rowskip;
+			const Direction full = {btVector3(linear[0], linear[1], linear[2]),
+									btVector3(angular[0], angular[1], angular[2])};
+			Direction rest = full;
+			for (int i = 0; i < n; ++i)
+				rest.subtract(orthonormal[i], rest.dot(orthonormal[i]));
+			const btScalar left = rest.dot(rest);
+			if (left < btScalar(1e-8) * full.dot(full))
+				continue;
+			if (j == count)
+				own = {rest.m_linear / left, rest.m_angular / left};
+			else if (n < BT_EP_DOF_COUNT)
+				orthonormal[n++] = {rest.m_linear / btSqrt(left), rest.m_angular / btSqrt(left)};
+		}
+		m_dual[2 * r] = own.m_linear;
+		m_dual[2 * r + 1] = own.m_angular;
+	}
+}
+
+// ---- the step: return mapping
+
+void btElasticPlasticJoint::setRowImpulse(int r, btScalar impulse)
+{
+	m_step.m_row[r].m_impulse = impulse;
+	m_step.m_impulsesKnown = true;
+}
+
+/// A linear row's impulse is the force along its axis, an angular one's the torque about the common point along its axis.
+void btElasticPlasticJoint::readFeedback()
+{
+	const btJointFeedback* feedback = m_constraint.getJointFeedback();
+	if (!feedback)
+		return;
+	const btVector3 force = feedback->m_appliedForceBodyA * m_step.m_dt,
+					torque = feedback->m_appliedTorqueBodyA * m_step.m_dt;
+	const btVector3 aboutPoint = torque - m_step.m_kinematics.m_rA.cross(force);
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		Row& row = m_step.m_row[r];
+		row.m_impulse = m_dual.size() > 0 ? m_dual[2 * r].dot(force) + m_dual[2 * r + 1].dot(torque)
+										  : rowVelocity(row.m_dof, force, aboutPoint);
+	}
+}
+
+btElasticPlasticReturn btElasticPlasticJoint::returnMap(const Row& row, btScalar velocity1) const
+{
+	const btScalar k = m_capacity.m_stiffness[row.m_dof], yield = m_capacity.m_yield[row.m_dof];
+	const btScalar strain = m_step.m_kinematics.m_strain[row.m_dof];
+	const btScalar yieldImpulse = yield * m_step.m_dt;
+	// The step's own axes: strain read from the turned configuration would count the turning as strain.
+	const btScalar trial = strain - m_step.m_dt * velocity1;
+	if (m_capacity.isRigidPlastic(row.m_dof))
+		return btElasticPlasticRigidReturnMap(
+			row.m_impulse, trial, btElasticPlasticAtBound(row.m_impulse, row.m_row, trial, yieldImpulse), m_step.m_dt);
+	if (m_scheme == BT_EP_SCHEME_PAPER)
+		// The paper looks at the deformation at the start of the step.
+		return btElasticPlasticReturnMap(
+			k, yield, strain, btFabs(row.m_impulse) > btScalar(0.99999) * yieldImpulse && row.m_impulse * strain > 0);
+	return btElasticPlasticReturnMap(k, yield, trial,
+									 btElasticPlasticAtBound(row.m_impulse, row.m_row, trial, yieldImpulse));
+}
+
+int btElasticPlasticJoint::commit()
+{
+	if (m_step.m_rows == 0)
+		return NOTHING;
+	if (!m_step.m_impulsesKnown)
+		readFeedback();
+
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	// The velocities with which the bodies were moved: other actions may have changed the present ones already.
+	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
+	const btVector3 linear =
+		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
+	const btVector3 angular = wA - wB;
+
+	btScalar increment[BT_EP_DOF_COUNT] = {};
+	int outcome = NOTHING;
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		const Row& row = m_step.m_row[r];
+		const int i = row.m_dof;
+		const btScalar velocity1 = rowVelocity(i, linear, angular);
+		const btElasticPlasticReturn mapped = returnMap(row, velocity1);
+		m_state.m_forceRate[i] = (mapped.m_force - m_state.m_force[i]) / m_step.m_dt;
+		m_state.m_force[i] = mapped.m_force;
+		// The work of an impulse on the bodies is exactly impulse times mean velocity.
+		m_state.m_work -= 0.5 * double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1));
+		if (mapped.m_increment == 0)
+			continue;
+		increment[i] = mapped.m_increment;
+		m_state.m_plastic[i] += mapped.m_increment;
+		m_state.m_plasticPath[i] += btFabs(mapped.m_increment);
+		m_state.m_plasticEnergy += double(m_capacity.m_yield[i]) * btFabs(double(mapped.m_increment));
+		if (!m_state.m_yielded)
+			outcome |= YIELDED;
+		m_state.m_yielded = true;
+	}
+	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
+		turnReference(increment);
+	revert();
+	return outcome | breakIfSpent();
+}
+
+/// Turns the plastic rotation so that the elastic rotation that is measured at the new pose loses the increment.
+void btElasticPlasticJoint::turnReference(const btScalar increment[6])
+{
+	btElasticPlasticKinematics now;
+	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
+				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
+				 m_state.m_plasticRotation);
+	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
+							now.m_strain[5] - increment[5]);
+	m_state.m_plasticRotation = btElasticPlasticRotationFor(now.m_relative, elastic);
+}
+
+int btElasticPlasticJoint::breakIfSpent()
+{
+	m_state.m_broken = getDamage() >= 1;
+	return m_state.m_broken ? BROKE : NOTHING;
+}
+
+void btElasticPlasticJoint::holdOverlap()
+{
+	if (m_partingWorld)
+		m_overlap =
+			btElasticPlasticHoldOverlap(*m_partingWorld, m_constraint.getRigidBodyA(), m_constraint.getRigidBodyB());
+}
+
+// ---- recognising each other without run-time type information
+
+namespace
+{
+/// Goes where a solver would pass a body.
+struct Question : btSolverBody
+{
+	btElasticPlasticJoint* m_answer = nullptr;
+};
+const btScalar QUESTION = -1;  // no step is negative
+}  // namespace
+
+btElasticPlasticJoint* btElasticPlasticJoint::from(btTypedConstraint* constraint)
+{
+	const btTypedConstraintType type = constraint->getConstraintType();
+	if (type != D6_SPRING_CONSTRAINT_TYPE && type != D6_SPRING_2_CONSTRAINT_TYPE)
+		return nullptr;
+	// Both of Bullet's classes inherit an empty solveConstraintObsolete: only ours answers.
+	Question question;
+	question.m_originalBody = nullptr;
+	constraint->solveConstraintObsolete(question, question, QUESTION);
+	return question.m_answer;
+}
+
+void btElasticPlasticJoint::answer(btSolverBody& asked, btScalar timeStep)
+{
+	if (timeStep == QUESTION)
+		static_cast<Question&>(asked).m_answer = this;
+}

@@ -1,0 +1,230 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_JOINT_H
+#define BT_ELASTIC_PLASTIC_JOINT_H
+
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "btElasticPlasticCapacity.h"
+#include "btElasticPlasticKinematics.h"
+#include "btElasticPlasticLaw.h"
+#include "btElasticPlasticState.h"
+
+class btDynamicsWorld;
+class btElasticPlasticAction;
+
+/// Which rows a joint gives to the solver.
+enum btElasticPlasticScheme
+{
+	BT_EP_SCHEME_IMPLICIT,  ///< the default: btElasticPlasticLaw.h
+	BT_EP_SCHEME_PAPER      ///< the paper's, as a baseline: wrong at many steps, see docs/theory.md
+};
+
+/// The elastic-plastic part of a joint, shared by both constraint classes: capacity, state, rows, return mapping.
+/// A step goes: prepare() and writeRows() by the solver, commit() by btElasticPlasticAction.
+/// Evaluating never changes the state; only commit() does, once per substep.
+ATTRIBUTE_ALIGNED16(class)
+btElasticPlasticJoint
+{
+public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	// ---- settings
+
+	/// Makes every degree of freedom with a yield value elastic-plastic and takes Bullet's own limit, motor and spring off it.
+	/// \return false, and the joint stays out of the simulation until it gets a valid capacity, if the capacity or the bodies
+	/// have a fault (see fault()).
+	bool setCapacity(const btElasticPlasticCapacity& capacity);
+	const btElasticPlasticCapacity& getCapacity() const { return m_capacity; }
+
+	/// Takes effect with the next step. Default: BT_EP_SCHEME_IMPLICIT.
+	void setScheme(btElasticPlasticScheme scheme) { m_scheme = scheme; }
+	btElasticPlasticScheme getScheme() const { return m_scheme; }
+
+	/// For error messages and reports; up to 31 characters are kept. Default: empty.
+	void setName(const char* name);
+	const char* getName() const { return m_name; }
+
+	/// Makes the bodies' present pose the one without force, keeping plastic deformation as it is counted.
+	void setReferenceToCurrentPose();
+
+	// ---- what it tells, all as of the last commit
+
+	/// Force or moment on body A in the joint's own (mid) frame [N], [N m]; positive pulls the bodies together.
+	btScalar getForce(int dof) const { return m_state.m_force[dof]; }
+
+	/// Elastic deformation, force over stiffness [m], [rad]; 0 where rigid-plastic.
+	btScalar getElasticDeformation(int dof) const;
+
+	/// Plastic deformation with its sign [m], [rad].
+	btScalar getPlasticDeformation(int dof) const { return m_state.m_plastic[dof]; }
+
+	/// Sum of the absolute values of plastic increments [m], [rad].
+	btScalar getPlasticPath(int dof) const { return m_state.m_plasticPath[dof]; }
+
+	/// |force| over yield: 1 is yield.
+	btScalar getUtilisation(int dof) const;
+
+	/// The largest utilisation, and which degree of freedom has it (-1: none).
+	btScalar getUtilisation(int* limitingDof = nullptr) const;
+
+	/// Share of the ductility of one degree of freedom that is spent.
+	btScalar getDamage(int dof) const { return m_state.m_plasticPath[dof] / m_capacity.m_ductility[dof]; }
+
+	/// Share of the joint's ductility that is spent, the sum over the degrees of freedom (Miner's rule); 1 breaks it.
+	btScalar getDamage() const;
+
+	/// Stored in the springs, f^2 / 2k [J]; of a broken joint: what it held when it broke, lost in the fracture.
+	double getElasticEnergy() const;
+
+	/// Dissipated by plastic flow [J].
+	double getPlasticEnergy() const { return m_state.m_plasticEnergy; }
+
+	/// Taken from the bodies by the joint in all, less elastic and plastic energy: what the time integration has dissipated [J].
+	double getNumericalEnergy() const { return m_state.m_work - m_state.m_plasticEnergy - getElasticEnergy(); }
+
+	/// Taken from the bodies by the joint in all [J].
+	double getWork() const { return m_state.m_work; }
+
+	bool hasYielded() const { return m_state.m_yielded; }
+	bool isBroken() const { return m_state.m_broken; }
+
+	/// What keeps the joint out of the simulation, false if nothing does.
+	const btElasticPlasticFault& fault() const { return m_fault; }
+
+	/// "joint 'name' (bodies at ... and ...): quantity is value; it must be range", always terminated.
+	void printFault(char* text, int capacity) const;
+
+	const btElasticPlasticState& getState() const { return m_state; }
+	void setState(const btElasticPlasticState& state) { m_state = state; }
+
+	btTypedConstraint& getConstraint() { return m_constraint; }
+	const btTypedConstraint& getConstraint() const { return m_constraint; }
+
+	/// World position of the joint: half way between its frames' origins.
+	btVector3 getPosition() const;
+
+	/// The joint's frame on each body, world coordinates.
+	btTransform getFrameA() const { return m_constraint.getRigidBodyA().getCenterOfMassTransform() * m_frameInA; }
+	btTransform getFrameB() const { return m_constraint.getRigidBodyB().getCenterOfMassTransform() * m_frameInB; }
+
+	// ---- for solvers and the action
+
+	/// Evaluates the joint at the bodies' present transforms. \return number of elastic-plastic rows
+	int prepare();
+
+	/// Writes the rows that prepare() counted, beginning at firstRow.
+	void writeRows(btTypedConstraint::btConstraintInfo2 * info, int firstRow);
+
+	/// Rows for a solver that adds compliance to the diagonal, for the next writeRows() only: m_cfm is C / A.
+	void requestImplicitRows() { m_implicitRows = true; }
+
+	/// Elastic-plastic rows in the step under way; they are the last of the constraint's rows.
+	int getNumRows() const { return m_step.m_rows; }
+
+	/// The impulse of the r-th row, from a solver that knows it. Without it commit() takes Bullet's joint feedback.
+	void setRowImpulse(int r, btScalar impulse);
+
+	/// What a commit brought about, a set of bits.
+	enum Outcome
+	{
+		NOTHING = 0,
+		YIELDED = 1,  ///< flowed for the first time
+		BROKE = 2     ///< its ductility is spent
+	};
+
+	/// Ends the step: return mapping, plastic increments, energies, damage. Does nothing if the joint was not in the step.
+	int commit();
+
+	/// Forgets the step: the state stays as it was committed last.
+	void revert() { m_step.m_rows = 0; }
+
+	/// Puts the joint back as new at the bodies' present pose; not for the user, see btElasticPlasticAction::repair.
+	void resetState();
+
+	/// Asks a constraint who it is, without run-time type information. \return null if it is not elastic-plastic
+	static btElasticPlasticJoint* from(btTypedConstraint * constraint);
+
+	btElasticPlasticJoint(const btElasticPlasticJoint&) = delete;
+	btElasticPlasticJoint& operator=(const btElasticPlasticJoint&) = delete;
+
+protected:
+	btElasticPlasticJoint(btTypedConstraint & constraint, const btTransform& frameInA, const btTransform& frameInB);
+	~btElasticPlasticJoint();
+
+	/// Takes Bullet's limit, motor and spring off a degree of freedom.
+	virtual void releaseBase(int dof) = 0;
+
+	/// Stock solvers tell impulses only through a feedback: sets one unless the user has.
+	void ensureFeedback();
+
+	/// If the joint is broken and its bodies still overlap: see btElasticPlasticParting.h.
+	void holdOverlap();
+
+	/// Answers from() if asked.
+	void answer(btSolverBody & asked, btScalar timeStep);
+
+private:
+	friend class btElasticPlasticAction;
+
+	/// One row of the step: what it was given, and what came out.
+	struct Row
+	{
+		btElasticPlasticRow m_row;
+		btScalar m_velocity0;  ///< J v at the start of the step
+		btScalar m_impulse;
+		int m_dof;
+	};
+
+	/// The step under way, from prepare() to commit().
+	struct Step
+	{
+		btElasticPlasticKinematics m_kinematics;
+		Row m_row[BT_EP_DOF_COUNT];
+		int m_rows = 0;
+		btScalar m_dt = 0;
+		bool m_impulsesKnown = false;
+	};
+
+	btElasticPlasticFault findFault() const;
+	btScalar diagonal(int dof) const;
+	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
+	btScalar rowVelocity(int dof, const btVector3& linear, const btVector3& angular) const;
+	btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const;
+	btScalar paperInverseMass(int dof) const;
+	void readFeedback();
+	btElasticPlasticReturn returnMap(const Row& row, btScalar velocity1) const;
+	int breakIfSpent();
+	void turnReference(const btScalar increment[6]);
+
+	btTypedConstraint& m_constraint;
+	const btTransform& m_frameInA;
+	const btTransform& m_frameInB;
+	btElasticPlasticAction* m_action = nullptr;  ///< that knows this joint
+	btDynamicsWorld* m_partingWorld = nullptr;   ///< set while the joint is broken and its bodies have not parted
+	btScalar m_overlap = 0;                      ///< of the bodies, while they part
+	btElasticPlasticCapacity m_capacity;
+	btElasticPlasticFault m_fault;
+	btElasticPlasticState m_state;
+	Step m_step;
+	btJointFeedback m_feedback;
+	btAlignedObjectArray<btVector3>
+		m_dual;  ///< two vectors a row: impulse = force . first + torque . second; empty: the axes do
+	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
+	bool m_implicitRows = false;
+	char m_name[32] = {};
+};
+
+#endif  // BT_ELASTIC_PLASTIC_JOINT_H

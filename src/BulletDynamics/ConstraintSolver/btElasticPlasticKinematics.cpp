@@ -1,0 +1,93 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#include "btElasticPlasticKinematics.h"
+
+namespace
+{
+/// exp(log(q) / 2): half of the rotation, along the way that the quaternion's sign tells.
+btQuaternion halfOf(const btQuaternion& q)
+{
+	btQuaternion h(q.x(), q.y(), q.z(), q.w() + 1);
+	const btScalar length2 = h.length2();
+	// A full turn has no half of its own direction: any axis at a right angle to none will do.
+	if (length2 < btScalar(1e-12))
+		return btQuaternion(1, 0, 0, 0);
+	return h * (1 / btSqrt(length2));
+}
+}  // namespace
+
+btVector3 btElasticPlasticLog(const btQuaternion& q)
+{
+	const btVector3 v(q.x(), q.y(), q.z());
+	const btScalar s2 = v.length2();
+	if (s2 < btScalar(1e-3) && q.w() > 0)
+	{
+		// 2 asin(s) / s, error below 1e-16 of it
+		const btScalar series =
+			1 + s2 * (btScalar(1. / 6) +
+					  s2 * (btScalar(3. / 40) + s2 * (btScalar(15. / 336) + s2 * btScalar(105. / 3456))));
+		return v * (2 * series);
+	}
+	const btScalar s = btSqrt(s2);
+	return s > 0 ? v * (2 * btAtan2(s, q.w()) / s) : btVector3(0, 0, 0);
+}
+
+btQuaternion btElasticPlasticExp(const btVector3& rotation)
+{
+	const btScalar angle = rotation.length();
+	if (angle < btScalar(1e-4))
+	{
+		// cos and sin to fourth order, then unit length
+		const btScalar h = btScalar(0.5) - angle * angle / 48;
+		return btQuaternion(rotation.x() * h, rotation.y() * h, rotation.z() * h, 1 - angle * angle / 8).normalized();
+	}
+	const btScalar s = btSin(angle / 2) / angle;
+	return btQuaternion(rotation.x() * s, rotation.y() * s, rotation.z() * s, btCos(angle / 2));
+}
+
+btQuaternion btElasticPlasticRotationFor(const btQuaternion& rel, const btVector3& elastic)
+{
+	const btVector3 elasticA = quatRotate(halfOf(rel), elastic);
+	return (btElasticPlasticExp(-elasticA) * rel).normalized();
+}
+
+void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
+										  const btTransform& frameB, const btVector3& plasticOffset,
+										  const btQuaternion& plasticRotation)
+{
+	const btMatrix3x3 basisA = bodyA.getBasis() * frameA.getBasis(), basisB = bodyB.getBasis() * frameB.getBasis();
+	basisA.transposeTimes(basisB).getRotation(m_relative);
+	if (m_relative.dot(plasticRotation) < 0)
+		m_relative = -m_relative;
+	const btQuaternion half = halfOf(m_relative);
+	const btMatrix3x3 mid = basisA * btMatrix3x3(half);
+	for (int i = 0; i < 3; ++i)
+		m_axis[i] = mid.getColumn(i);
+
+	// Differences of like sizes first: far from the world's origin floats have no digits to lose.
+	const btVector3 armA = bodyA.getBasis() * frameA.getOrigin(), armB = bodyB.getBasis() * frameB.getOrigin();
+	const btVector3 d = (bodyB.getOrigin() - bodyA.getOrigin()) + (armB - armA);
+	m_rA = armA + d * btScalar(0.5);
+	m_rB = armB - d * btScalar(0.5);
+
+	const btVector3 elasticA = btElasticPlasticLog(m_relative * plasticRotation.inverse());
+	const btVector3 elastic = quatRotate(half.inverse(), elasticA);
+	for (int i = 0; i < 3; ++i)
+	{
+		m_strain[i] = d.dot(m_axis[i]) - plasticOffset[i];
+		m_strain[3 + i] = elastic[i];
+	}
+}

@@ -1,0 +1,54 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_KINEMATICS_H
+#define BT_ELASTIC_PLASTIC_KINEMATICS_H
+
+#include "LinearMath/btTransform.h"
+
+/// Where a joint stands: its axes and its elastic deformation.
+///
+/// Frames A and B are the joint's frames on its two bodies, R = R_A^T R_B their relative rotation. The axes are the columns of
+/// the mid frame R_A exp(log(R) / 2): both bodies are treated alike, and a turned scene gives the same answer. The common
+/// point p is half way between the frames' origins.
+///  - Linear: e_i = (p_B - p_A) . a_i - plastic offset_i.
+///  - Angular: e = log(R R_p^T) in mid-frame components. The plastic rotation R_p turns the reference, so that the elastic
+///    rotation stays small however far the joint has bent; Euler angles would jump at 90 degrees.
+/// Jacobians, for J v = -de/dt: [a, r_A x a, -a, -r_B x a] and [0, a, 0, -a].
+struct btElasticPlasticKinematics
+{
+	btVector3 m_axis[3];      ///< mid frame, world coordinates
+	btVector3 m_rA, m_rB;     ///< from the centres of mass to the common point, world coordinates [m]
+	btScalar m_strain[6];     ///< elastic deformation e [m], [rad], mid-frame components
+	btQuaternion m_relative;  ///< R, nearest to the plastic rotation
+
+	/// \param bodyA, bodyB    centre-of-mass transforms
+	/// \param frameA, frameB  joint frames in the bodies' coordinates
+	/// \param plasticOffset   mid-frame components [m]
+	/// \param plasticRotation R_p in frame A, unit quaternion; its sign counts: it carries the turns beyond 180 degrees
+	void evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
+				  const btTransform& frameB, const btVector3& plasticOffset, const btQuaternion& plasticRotation);
+};
+
+/// Rotation vector of a unit quaternion, |result| <= 2 pi, the sign of the quaternion is kept.
+btVector3 btElasticPlasticLog(const btQuaternion& q);
+
+/// Unit quaternion of a rotation vector.
+btQuaternion btElasticPlasticExp(const btVector3& rotation);
+
+/// The plastic rotation that leaves the elastic rotation elastic (mid-frame components) at the relative rotation rel.
+btQuaternion btElasticPlasticRotationFor(const btQuaternion& rel, const btVector3& elastic);
+
+#endif  // BT_ELASTIC_PLASTIC_KINEMATICS_H

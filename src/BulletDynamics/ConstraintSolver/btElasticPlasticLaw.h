@@ -1,0 +1,182 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_LAW_H
+#define BT_ELASTIC_PLASTIC_LAW_H
+
+#include "LinearMath/btMinMax.h"
+#include "LinearMath/btScalar.h"
+
+// The law of one elastic-plastic degree of freedom: pure functions, no rigid bodies.
+//
+// Let e be the elastic deformation (total minus plastic), f = k e the force that pulls back, clamped to the yield value F.
+// A row has the Jacobian J with J v = -de/dt, and A = J M^-1 J^T. The solver finds the impulse lambda of the row
+//
+//     J v1 + C lambda = r,   lower <= lambda <= upper.                                                           (1)
+//
+// Over a step dt the row applies the mean force  lambda / dt = c + alpha f*,  with f* = k (e_n + dt de1/dt) the force at the
+// end of the step and c what is known at its start. Newmark's family in terms of forces (the force's rate g_n = df/dt stands
+// for k de0/dt, so that the step may change) gives
+//
+//     c = (1 - alpha) f_n - beta dt g_n.
+//
+// Insert f* = k e_n - k dt J v1:
+//
+//     lambda / dt = c + alpha k e_n - alpha k dt J v1    =>    C = 1 / (alpha k dt^2),   r = (k e_n + c / alpha) / (k dt).
+//
+// Yield is |f*| <= F, so lower, upper = dt (c -+ alpha F): the solver's clamping of lambda *is* the return mapping of an
+// elastic-perfectly plastic spring, implicit and for all rows together.
+//
+// With a = k dt^2 A, the square of frequency times step, and gamma = 1/2 + a / (a + 4),
+//
+//     alpha = (gamma + 1/2)^2 / 4,   beta = 1/2 + alpha - gamma:
+//
+// a spring that the step resolves (a << 1) gets the trapezoidal rule, second order and without dissipation; a stiff one
+// (a >> 1) becomes backward Euler; nothing switches in between. alpha >= beta and alpha + beta >= 1/2 hold for every a, so
+// the linear scheme is stable at any step (Hughes, The Finite Element Method, section 9.1, for beta_N = alpha, gamma_N = gamma).
+
+/// One row as the solver gets it, see (1). Impulses in N s or N m s, velocities in m/s or rad/s.
+struct btElasticPlasticRow
+{
+	btScalar m_compliance = 0;  ///< C [m/(N s)], [rad/(N m s)], >= 0
+	btScalar m_velocity = 0;    ///< r [m/s], [rad/s]
+	btScalar m_lower = 0;       ///< bounds of lambda
+	btScalar m_upper = 0;
+};
+
+/// A degree of freedom at the start of a step.
+struct btElasticPlasticDofState
+{
+	btScalar m_stiffness;  ///< k > 0
+	btScalar m_yield;      ///< F >= 0
+	btScalar m_strain;     ///< e_n, measured
+	btScalar m_force;      ///< f_n, committed
+	btScalar m_forceRate;  ///< g_n = (f_n - f_(n-1)) / dt_n, committed
+};
+
+/// Row of the default scheme, for a solver that adds C to the diagonal (btElasticPlasticConstraintSolver).
+inline btElasticPlasticRow btElasticPlasticImplicitRow(const btElasticPlasticDofState& s, btScalar diagonal,
+													   btScalar dt)
+{
+	const btScalar a = s.m_stiffness * dt * dt * diagonal;
+	// a / (a + 4) written so that a = infinity is no NaN.
+	const btScalar gamma = btScalar(0.5) + (a > 1 ? 1 / (1 + 4 / a) : a / (a + 4));
+	const btScalar alpha = (gamma + btScalar(0.5)) * (gamma + btScalar(0.5)) / 4;
+	const btScalar beta = btScalar(0.5) + alpha - gamma;
+	const btScalar c = (1 - alpha) * s.m_force - beta * dt * s.m_forceRate;
+	btElasticPlasticRow row;
+	row.m_compliance = 1 / (alpha * s.m_stiffness * dt * dt);
+	row.m_velocity = s.m_strain / dt + c / (alpha * s.m_stiffness * dt);
+	row.m_lower = dt * (c - alpha * s.m_yield);
+	row.m_upper = dt * (c + alpha * s.m_yield);
+	return row;
+}
+
+/// Row for Bullet's own solvers. They multiply the impulse by C / A but leave C out of the diagonal, so that their iteration
+/// grows for C >= A, that is for a <= 1: there the spring is resolved by the step, and its force is applied explicitly
+/// (symplectic Euler, stable below a = 4). Above, backward Euler with C / A = 1 / a < 1.
+inline btElasticPlasticRow btElasticPlasticStockRow(const btElasticPlasticDofState& s, btScalar diagonal, btScalar dt)
+{
+	btElasticPlasticRow row;
+	if (s.m_stiffness * dt * dt * diagonal < 1)
+	{
+		row.m_lower = row.m_upper = dt * btMax(-s.m_yield, btMin(s.m_yield, s.m_stiffness * s.m_strain));
+		return row;
+	}
+	row.m_compliance = 1 / (s.m_stiffness * dt * dt);
+	row.m_velocity = s.m_strain / dt;
+	row.m_lower = -dt * s.m_yield;
+	row.m_upper = dt * s.m_yield;
+	return row;
+}
+
+/// Row of a rigid-plastic degree of freedom: no motion until the yield value is reached; what solver error has let it move
+/// comes back with Bullet's error reduction erp (0 to 1 per step).
+inline btElasticPlasticRow btElasticPlasticRigidRow(btScalar yield, btScalar strain, btScalar erp, btScalar dt)
+{
+	btElasticPlasticRow row;
+	row.m_velocity = erp * strain / dt;
+	row.m_lower = -dt * yield;
+	row.m_upper = dt * yield;
+	return row;
+}
+
+/// The paper's own row, kept as a baseline; two forms, as the paper has two classes.
+/// Motor (first class, Table IX): a velocity constraint capped at the spring's force, so it only ever brakes;
+/// the first step from rest is free.
+inline btElasticPlasticRow btElasticPlasticPaperMotorRow(const btElasticPlasticDofState& s, btScalar dt)
+{
+	btElasticPlasticRow row;
+	row.m_upper = dt * btMin(s.m_yield, s.m_stiffness * btFabs(s.m_strain));
+	row.m_lower = -row.m_upper;
+	return row;
+}
+
+/// Spring (second class, Table X): equation 16 asks whether sqrt(k / m_min) dt > 0.25. If so, a velocity constraint capped at
+/// yield without positional error; if not, the explicit spring. inverseMass = 1 / m_min of the lighter body (or inertia).
+inline btElasticPlasticRow btElasticPlasticPaperSpringRow(const btElasticPlasticDofState& s, btScalar inverseMass,
+														  btScalar dt)
+{
+	btElasticPlasticRow row;
+	if (s.m_stiffness * inverseMass * dt * dt > btScalar(0.0625))
+	{
+		row.m_upper = dt * s.m_yield;
+		row.m_lower = -row.m_upper;
+	}
+	else
+		row.m_lower = row.m_upper = dt * btMax(-s.m_yield, btMin(s.m_yield, s.m_stiffness * s.m_strain));
+	return row;
+}
+
+/// Outcome of the return mapping.
+struct btElasticPlasticReturn
+{
+	btScalar m_force;      ///< at the end of the step, |m_force| <= yield
+	btScalar m_increment;  ///< of plastic deformation
+};
+
+/// Is the row's impulse at the bound at which it pulls back in direction sign (+1 or -1)?
+/// 1e-3 of the bounds' distance is what an iterative solver may leave.
+inline bool btElasticPlasticAtBound(btScalar impulse, const btElasticPlasticRow& row, btScalar sign,
+									btScalar yieldImpulse)
+{
+	const btScalar slack = btScalar(1e-3) * yieldImpulse;
+	return sign > 0 ? impulse >= row.m_upper - slack : impulse <= row.m_lower + slack;
+}
+
+/// Return mapping of the trial deformation e* = e_n - dt J v1.
+/// atBound: whether the row's impulse sits at its bound in the direction of e*. Without that, a force beyond yield is what the
+/// solver has left unsolved: no plastic flow, only a clamped force.
+inline btElasticPlasticReturn btElasticPlasticReturnMap(btScalar stiffness, btScalar yield, btScalar strain,
+														bool atBound)
+{
+	const btScalar trial = stiffness * strain;
+	btElasticPlasticReturn r;
+	r.m_force = btMax(-yield, btMin(yield, trial));
+	r.m_increment = atBound && btFabs(trial) > yield ? strain - r.m_force / stiffness : btScalar(0);
+	return r;
+}
+
+/// Return mapping of a rigid-plastic degree of freedom: at its bound, all motion in the direction of the force is plastic.
+inline btElasticPlasticReturn btElasticPlasticRigidReturnMap(btScalar impulse, btScalar strain, bool atBound,
+															 btScalar dt)
+{
+	btElasticPlasticReturn r;
+	r.m_force = impulse / dt;
+	r.m_increment = atBound ? strain : btScalar(0);
+	return r;
+}
+
+#endif  // BT_ELASTIC_PLASTIC_LAW_H

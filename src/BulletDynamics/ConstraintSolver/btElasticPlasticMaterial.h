@@ -1,0 +1,60 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_MATERIAL_H
+#define BT_ELASTIC_PLASTIC_MATERIAL_H
+
+#include "btElasticPlasticFault.h"
+
+/// How the yield stress in shear follows from the one in tension.
+enum btElasticPlasticShearYield
+{
+	BT_EP_TRESCA,    ///< f_y / 2, as in the paper (Table IV)
+	BT_EP_VON_MISES  ///< f_y / sqrt(3)
+};
+
+/// An isotropic, elastic-perfectly plastic material. SI units.
+struct btElasticPlasticMaterial
+{
+	btScalar m_youngsModulus = btScalar(200e9);  ///< E [Pa], > 0
+	btScalar m_poissonsRatio = btScalar(0.3);    ///< nu, > -1 and <= 0.5
+	btScalar m_density =
+		btScalar(7800);  ///< of the body [kg/m^3], > 0; the library does not set masses, this is for the scene
+	btScalar m_yieldStress = btScalar(200e6);          ///< f_y [Pa], > 0
+	btScalar m_ultimatePlasticStrain = btScalar(0.2);  ///< plastic strain at which the material tears, > 0
+	btScalar m_loadBearingShare = btScalar(1);         ///< part of the section that carries load, > 0 and <= 1
+	btElasticPlasticShearYield m_shearYield = BT_EP_TRESCA;
+
+	/// G = E / (2 (1 + nu))
+	btScalar shearModulus() const { return m_youngsModulus / (2 * (1 + m_poissonsRatio)); }
+
+	/// tau_y by the chosen criterion
+	btScalar shearYieldStress() const
+	{
+		return m_shearYield == BT_EP_TRESCA ? m_yieldStress / 2 : m_yieldStress / btSqrt(btScalar(3));
+	}
+
+	/// First field that is out of its range.
+	btElasticPlasticFault fault() const;
+
+	/// Structural steel: E = 200 GPa, 7800 kg/m^3. The paper uses 200 MPa (demolisher, block) and 400 MPa (Charpy).
+	static btElasticPlasticMaterial steel(btScalar yieldStress = btScalar(200e6));
+
+	/// Reinforced concrete as the paper means it: the steel, a share of the section spread over it evenly, carries all load;
+	/// the concrete gives the mass (2000 kg/m^3). The paper's block has steelShare = 0.0004.
+	static btElasticPlasticMaterial reinforcedConcrete(btScalar steelShare, btScalar yieldStress = btScalar(200e6));
+};
+
+#endif  // BT_ELASTIC_PLASTIC_MATERIAL_H

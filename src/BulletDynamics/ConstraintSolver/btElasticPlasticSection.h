@@ -1,0 +1,65 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_SECTION_H
+#define BT_ELASTIC_PLASTIC_SECTION_H
+
+#include "btElasticPlasticFault.h"
+
+/// How the plastic torsion modulus of a rectangle is found.
+enum btElasticPlasticTorsion
+{
+	BT_EP_TORSION_EXACT,  ///< sand-heap analogy (Nadai): b^2 (3h - b) / 6 with b <= h
+	BT_EP_TORSION_PAPER,  ///< the paper's Table IV, 0.38 b h (b + h) / 2 (there 0.19 f_y, that is 0.38 tau_y by Tresca): 14 % high for a square, 4.3 times at h/b = 10
+	BT_EP_TORSION_POLAR  ///< the paper's Figure 5, the integral of the distance from the centre: 15 % high for a square, 5.2 times at h/b = 10
+};
+
+/// Geometry of a member's cross section: all that capacities need, in SI units.
+/// The frame: x along the member, y along the height h, z along the width b.
+/// A dimension that is not finite or not positive leaves its fault in m_fault and zeros elsewhere.
+struct btElasticPlasticSection
+{
+	btScalar m_area = 0;                      ///< A [m^2]
+	btScalar m_shearArea[2] = {0, 0};         ///< A_s for stiffness, forces along y and z [m^2]
+	btScalar m_plasticShearArea[2] = {0, 0};  ///< what yields under shear along y and z [m^2]
+	btScalar m_secondMoment[2] = {0, 0};      ///< I for bending about y and about z [m^4]
+	btScalar m_torsionConstant = 0;           ///< J [m^4]
+	btScalar m_plasticModulus[2] = {0, 0};    ///< W_pl for bending about y and about z [m^3]
+	btScalar m_plasticTorsionModulus = 0;     ///< moment of torsion over shear yield stress [m^3]
+	btScalar m_outerFibre[2] = {0, 0};        ///< distance of the outer fibre from the axis, along y and along z [m]
+	btElasticPlasticFault m_fault;
+
+	/// Rectangle, width b along z, height h along y [m].
+	/// W_pl = b h^2 / 4 about z and b^2 h / 4 about y (paper, equations 12 and 13); A_s = 5/6 A (Timoshenko), all of A yields (equation 11);
+	/// J by Saint-Venant's series.
+	static btElasticPlasticSection rectangle(btScalar width, btScalar height,
+											 btElasticPlasticTorsion torsion = BT_EP_TORSION_EXACT);
+
+	/// Solid circle of radius r [m]: W_pl = 4 r^3 / 3, torsion 2 pi r^3 / 3, J = pi r^4 / 2; A_s = 6/7 A (Cowper, nu = 0).
+	static btElasticPlasticSection circle(btScalar radius);
+
+	/// Tube, outer radius r and wall t [m], 0 < t < r; A_s by Cowper (nu = 0), 2 A / pi yields in shear (Eurocode 3, 6.2.6).
+	static btElasticPlasticSection hollowCircle(btScalar radius, btScalar wall);
+
+	/// Box of even wall t [m], 0 < 2 t < min(b, h); J by Bredt, torsion by the sand heap with a hole,
+	/// A h / (b + h) resists shear along y (Eurocode 3, 6.2.6).
+	static btElasticPlasticSection hollowRectangle(btScalar width, btScalar height, btScalar wall);
+
+	/// I-section (flanges along z), web t_w < b, flanges 2 t_f < h [m]: the web takes shear along y, the flanges along z;
+	/// J = sum of s t^3 / 3 over the walls, torsion by the sand heap over the walls.
+	static btElasticPlasticSection iSection(btScalar width, btScalar height, btScalar web, btScalar flange);
+};
+
+#endif  // BT_ELASTIC_PLASTIC_SECTION_H

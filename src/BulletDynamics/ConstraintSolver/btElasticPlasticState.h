@@ -1,0 +1,46 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_STATE_H
+#define BT_ELASTIC_PLASTIC_STATE_H
+
+#include "LinearMath/btQuaternion.h"
+
+/// All that a joint remembers from step to step. Copy it to save, put it back to rewind.
+/// The arrays run over the degrees of freedom (btElasticPlasticDof), components of the mid frame.
+struct btElasticPlasticState
+{
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	btQuaternion m_plasticRotation = btQuaternion(0, 0, 0, 1);  ///< turn of the reference, in frame A
+	btScalar m_plastic[6] = {};      ///< plastic deformation, signed sum of increments [m], [rad]
+	btScalar m_initial[3] = {};      ///< offset of the frames at which the joint is free of force [m], not plastic
+	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
+	btScalar m_force[6] = {};        ///< f_n [N], [N m]
+	btScalar m_forceRate[6] = {};    ///< (f_n - f_(n-1)) / dt [N/s], [N m/s]
+	// In double whatever Bullet's precision: sums over many steps.
+	double m_work = 0;           ///< taken from the bodies [J]
+	double m_plasticEnergy = 0;  ///< dissipated by plastic flow, force at yield times path [J]
+	bool m_yielded = false;      ///< has flowed at least once
+	bool m_broken = false;
+
+	/// Linear offset of the reference, plastic and initial [m].
+	btVector3 offset() const
+	{
+		return btVector3(m_plastic[0] + m_initial[0], m_plastic[1] + m_initial[1], m_plastic[2] + m_initial[2]);
+	}
+};
+
+#endif  // BT_ELASTIC_PLASTIC_STATE_H

@@ -1,0 +1,6 @@
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterial.h"
+
+int main()
+{
+	return 0;
+}
