@@ -2,23 +2,26 @@
 
 namespace ep
 {
-BlockUnderTension::BlockUnderTension(const Settings& s)
-	: m_world(s.solver, quatRotate(s.turn, btVector3(0, -s.gravity, 0))),
+BlockUnderTension::BlockUnderTension(const Settings& s, std::unique_ptr<btConstraintSolver> solver)
+	: m_world(s.solver, quatRotate(s.turn, btVector3(0, -s.gravity, 0)), std::move(solver)),
 	  m_down(quatRotate(s.turn, btVector3(0, -1, 0)))
 {
 	const btTransform turn(s.turn);
-	const btQuaternion body = s.turn * s.bodyTurn;
+	const btQuaternion body = s.turn * s.bodyTurn,
+					   along(btVector3(0, 0, 1), s.blockFirst ? SIMD_HALF_PI : -SIMD_HALF_PI);
+	m_top = btTransform(s.turn * along, turn * btVector3(0, btScalar(1.5), 0));
+	if (s.ground)
+		m_world.body(0, m_world.box(btVector3(20, 6, 20)), btTransform(s.turn, turn * btVector3(0, -6, 0)));
 	m_support = m_world.body(0, m_world.box(btVector3(1, 1, 1)), btTransform(body, turn * btVector3(0, 2, 0)), false);
-	m_block = m_world.body(s.mass, m_world.box(btVector3(1, 3, 1)), btTransform(body), false);
-	// The joint's x axis runs along the member and points from body A to body B.
-	const btQuaternion axis(btVector3(0, 0, 1), s.blockFirst ? SIMD_HALF_PI : -SIMD_HALF_PI);
-	const btTransform frame(s.turn * axis, turn * btVector3(0, btScalar(1.5), 0));
+	m_block = m_world.body(s.mass, m_world.box(btVector3(1, 3, 1)), btTransform(body), s.ground);
+	if (!s.held)
+		return;
 	btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
 		btElasticPlasticMaterial::reinforcedConcrete(s.steelShare), btElasticPlasticSection::rectangle(1, 1), 0, 3);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		capacity.m_ductility[i] = i == BT_EP_AXIAL ? s.ductility : btElasticPlasticCapacity::unlimited();
-	m_joint = s.blockFirst ? m_world.joint(*m_block, *m_support, frame, capacity, s.jointClass)
-						   : m_world.joint(*m_support, *m_block, frame, capacity, s.jointClass);
+	m_joint = s.blockFirst ? m_world.joint(*m_block, *m_support, m_top, capacity, s.jointClass)
+						   : m_world.joint(*m_support, *m_block, m_top, capacity, s.jointClass);
 	m_joint->setScheme(s.scheme);
 }
 

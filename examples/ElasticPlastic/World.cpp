@@ -7,24 +7,28 @@
 
 namespace ep
 {
-World::World(Solver solver, const btVector3& gravity) : m_dispatcher(&m_configuration)
+std::unique_ptr<btConstraintSolver> World::makeSolver(Solver solver)
 {
 	switch (solver)
 	{
 		case Solver::Stock:
-			m_solver.reset(new btSequentialImpulseConstraintSolver);
-			break;
+			return std::make_unique<btSequentialImpulseConstraintSolver>();
 		case Solver::Nncg:
-			m_solver.reset(new btNNCGConstraintSolver);
-			break;
+			return std::make_unique<btNNCGConstraintSolver>();
 		case Solver::Mlcp:
-			m_mlcp.reset(new btDantzigSolver);
-			m_solver.reset(new btMLCPSolver(m_mlcp.get()));
-			break;
+			m_mlcp = std::make_unique<btDantzigSolver>();
+			return std::make_unique<btMLCPSolver>(m_mlcp.get());
 		case Solver::Iterative:
-			m_solver.reset(new btElasticPlasticConstraintSolver);
 			break;
 	}
+	return std::make_unique<btElasticPlasticConstraintSolver>();
+}
+
+World::World(Solver solver, const btVector3& gravity, std::unique_ptr<btConstraintSolver> own)
+	: m_dispatcher(&m_configuration), m_solver(std::move(own))
+{
+	if (!m_solver)
+		m_solver = makeSolver(solver);
 	m_world.reset(new btDiscreteDynamicsWorld(&m_dispatcher, &m_broadphase, m_solver.get(), &m_configuration));
 	m_world->setGravity(gravity);
 	m_world->addAction(&m_action);
@@ -46,7 +50,10 @@ btRigidBody* World::body(btScalar mass, btCollisionShape* shape, const btTransfo
 	if (mass > 0)
 		shape->calculateLocalInertia(mass, inertia);
 	btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, inertia);
+	// Bullet rounds an orientation when it first moves the body: do it now, before joints are measured by it.
 	info.m_startWorldTransform = pose;
+	for (int i = 0; i < 3; ++i)
+		info.m_startWorldTransform.setRotation(info.m_startWorldTransform.getRotation().normalized());
 	m_bodies.emplace_back(new btRigidBody(info));
 	btRigidBody* body = m_bodies.back().get();
 	body->setActivationState(DISABLE_DEACTIVATION);

@@ -32,7 +32,9 @@ enum class JointClass
 class World
 {
 public:
-	explicit World(Solver solver = Solver::Iterative, const btVector3& gravity = btVector3(0, -10, 0));
+	/// \param own  a solver in place of the named one, null: that one
+	explicit World(Solver solver = Solver::Iterative, const btVector3& gravity = btVector3(0, -10, 0),
+				   std::unique_ptr<btConstraintSolver> own = nullptr);
 	~World();
 	World(const World&) = delete;
 	World& operator=(const World&) = delete;
@@ -69,6 +71,8 @@ public:
 	double kineticEnergy() const;
 
 private:
+	std::unique_ptr<btConstraintSolver> makeSolver(Solver solver);
+
 	btDefaultCollisionConfiguration m_configuration;
 	btCollisionDispatcher m_dispatcher;
 	btDbvtBroadphase m_broadphase;

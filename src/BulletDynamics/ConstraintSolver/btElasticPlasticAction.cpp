@@ -81,7 +81,9 @@ void btElasticPlasticAction::removeJoint(btElasticPlasticJoint* joint)
 	const auto isIt = [joint](const Entry& e) { return e.m_joint == joint; };
 	removeIf(m_joints, isIt);
 	removeIf(m_broken, isIt);
-	removeIf(m_events, [joint](const btElasticPlasticEvent& e) { return e.m_joint == joint; });
+	for (int i = m_nextEvent; i < m_events.size(); ++i)
+		if (m_events[i].m_joint == joint)
+			m_events[i].m_joint = nullptr;
 }
 
 void btElasticPlasticAction::removeBody(btDynamicsWorld& world, btRigidBody& body)
@@ -123,18 +125,14 @@ bool btElasticPlasticAction::repair(btElasticPlasticJoint* joint)
 
 bool btElasticPlasticAction::popEvent(btElasticPlasticEvent& event)
 {
-	if (m_events.size() == 0)
-		return false;
-	event = m_events[0];
-	bool first = true;
-	removeIf(m_events,
-			 [&first](const btElasticPlasticEvent&)
-			 {
-				 const bool was = first;
-				 first = false;
-				 return was;
-			 });
-	return true;
+	while (m_nextEvent < m_events.size())
+	{
+		event = m_events[m_nextEvent++];
+		if (event.m_joint)
+			return true;
+	}
+	m_events.resize(m_nextEvent = 0);
+	return false;
 }
 
 void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar timeStep)

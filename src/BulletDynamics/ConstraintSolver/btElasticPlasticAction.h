@@ -90,7 +90,8 @@ private:
 
 	btAlignedObjectArray<Entry> m_joints;
 	btAlignedObjectArray<Entry> m_broken;
-	btAlignedObjectArray<btElasticPlasticEvent> m_events;
+	btAlignedObjectArray<btElasticPlasticEvent> m_events;  ///< read up to m_nextEvent; without a joint: forgotten
+	int m_nextEvent = 0;
 	btElasticPlasticListener* m_listener = nullptr;
 	double m_time = 0;
 	int m_parting = 0;  ///< broken joints whose bodies still overlap

@@ -57,7 +57,25 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (m_capacity.isElasticPlastic(i))
 			releaseBase(i);
+	takeRoundingAsReference();
 	return true;
+}
+
+/// Frames that meet up to the rounding of their coordinates are meant to meet: in float half a micrometre on a metre would
+/// be a force in a stiff joint. A larger misfit is the user's, and loads the joint.
+void btElasticPlasticJoint::takeRoundingAsReference()
+{
+	const btTransform &A = m_constraint.getRigidBodyA().getCenterOfMassTransform(),
+					  &B = m_constraint.getRigidBodyB().getCenterOfMassTransform();
+	const btScalar size = A.getOrigin().length() + m_frameInA.getOrigin().length() + B.getOrigin().length() +
+						  m_frameInB.getOrigin().length();
+	btElasticPlasticKinematics now;
+	now.evaluate(A, B, m_frameInA, m_frameInB, m_state.offset(), m_state.m_plasticRotation);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		// Eight roundings lie between the world's coordinates and a strain.
+		if (btFabs(now.m_strain[i]) > 4 * SIMD_EPSILON * (i < 3 ? size : 1))
+			return;
+	setReferenceToCurrentPose();
 }
 
 btElasticPlasticFault btElasticPlasticJoint::findFault() const

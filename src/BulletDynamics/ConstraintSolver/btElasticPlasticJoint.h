@@ -199,6 +199,7 @@ private:
 	};
 
 	btElasticPlasticFault findFault() const;
+	void takeRoundingAsReference();
 	btScalar diagonal(int dof) const;
 	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
 	btScalar rowVelocity(int dof, const btVector3& linear, const btVector3& angular) const;

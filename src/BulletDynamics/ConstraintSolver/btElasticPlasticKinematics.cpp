@@ -27,6 +27,20 @@ btQuaternion halfOf(const btQuaternion& q)
 		return btQuaternion(1, 0, 0, 0);
 	return h * (1 / btSqrt(length2));
 }
+
+/// p_B - p_A. In double whatever Bullet's precision: it is a thousandth of what it is the difference of.
+btVector3 separation(const btTransform& bodyA, const btTransform& bodyB, const btVector3& pivotA, const btVector3& pivotB)
+{
+	btVector3 d(0, 0, 0);
+	for (int i = 0; i < 3; ++i)
+	{
+		const btVector3 &a = bodyA.getBasis()[i], &b = bodyB.getBasis()[i];
+		const double armA = double(a.x()) * pivotA.x() + double(a.y()) * pivotA.y() + double(a.z()) * pivotA.z();
+		const double armB = double(b.x()) * pivotB.x() + double(b.y()) * pivotB.y() + double(b.z()) * pivotB.z();
+		d[i] = btScalar(double(bodyB.getOrigin()[i]) - double(bodyA.getOrigin()[i]) + (armB - armA));
+	}
+	return d;
+}
 }  // namespace
 
 btVector3 btElasticPlasticLog(const btQuaternion& q)
@@ -77,9 +91,8 @@ void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTran
 	for (int i = 0; i < 3; ++i)
 		m_axis[i] = mid.getColumn(i);
 
-	// Differences of like sizes first: far from the world's origin floats have no digits to lose.
 	const btVector3 armA = bodyA.getBasis() * frameA.getOrigin(), armB = bodyB.getBasis() * frameB.getOrigin();
-	const btVector3 d = (bodyB.getOrigin() - bodyA.getOrigin()) + (armB - armA);
+	const btVector3 d = separation(bodyA, bodyB, frameA.getOrigin(), frameB.getOrigin());
 	m_rA = armA + d * btScalar(0.5);
 	m_rB = armB - d * btScalar(0.5);
 
