@@ -66,6 +66,12 @@ struct btElasticPlasticDofState
 	btScalar m_forceRate;  ///< g_n = (f_n - f_(n-1)) / dt_n, committed
 };
 
+/// k e_n within the yield value.
+inline btScalar btElasticPlasticClampedForce(const btElasticPlasticDofState& s)
+{
+	return btMax(-s.m_yield, btMin(s.m_yield, s.m_stiffness * s.m_strain));
+}
+
 /// Row of the default scheme, for a solver that adds C to the diagonal (btElasticPlasticConstraintSolver).
 inline btElasticPlasticRow btElasticPlasticImplicitRow(const btElasticPlasticDofState& s, btScalar diagonal,
 													   btScalar dt)
@@ -84,17 +90,27 @@ inline btElasticPlasticRow btElasticPlasticImplicitRow(const btElasticPlasticDof
 	return row;
 }
 
+/// Row that applies a force for the step whatever the velocity: it asks for a velocity that nothing reaches, within bounds from
+/// 0 to the force's impulse. (Both bounds at the impulse would do the same in sequential impulses; btMLCPSolver solves for
+/// Bullet's split impulse with the same bounds and would push the bodies a second time.)
+inline btElasticPlasticRow btElasticPlasticExplicitRow(btScalar force, btScalar dt)
+{
+	const btScalar unreachable = btScalar(1e6);
+	btElasticPlasticRow row;
+	row.m_velocity = force < 0 ? -unreachable : unreachable;
+	row.m_lower = btMin(btScalar(0), dt * force);
+	row.m_upper = btMax(btScalar(0), dt * force);
+	return row;
+}
+
 /// Row for Bullet's own solvers. They multiply the impulse by C / A but leave C out of the diagonal, so that their iteration
 /// grows for C >= A, that is for a <= 1: there the spring is resolved by the step, and its force is applied explicitly
 /// (symplectic Euler, stable below a = 4). Above, backward Euler with C / A = 1 / a < 1.
 inline btElasticPlasticRow btElasticPlasticStockRow(const btElasticPlasticDofState& s, btScalar diagonal, btScalar dt)
 {
-	btElasticPlasticRow row;
 	if (s.m_stiffness * dt * dt * diagonal < 1)
-	{
-		row.m_lower = row.m_upper = dt * btMax(-s.m_yield, btMin(s.m_yield, s.m_stiffness * s.m_strain));
-		return row;
-	}
+		return btElasticPlasticExplicitRow(btElasticPlasticClampedForce(s), dt);
+	btElasticPlasticRow row;
 	row.m_compliance = 1 / (s.m_stiffness * dt * dt);
 	row.m_velocity = s.m_strain / dt;
 	row.m_lower = -dt * s.m_yield;
@@ -129,14 +145,11 @@ inline btElasticPlasticRow btElasticPlasticPaperMotorRow(const btElasticPlasticD
 inline btElasticPlasticRow btElasticPlasticPaperSpringRow(const btElasticPlasticDofState& s, btScalar inverseMass,
 														  btScalar dt)
 {
+	if (s.m_stiffness * inverseMass * dt * dt <= btScalar(0.0625))
+		return btElasticPlasticExplicitRow(btElasticPlasticClampedForce(s), dt);
 	btElasticPlasticRow row;
-	if (s.m_stiffness * inverseMass * dt * dt > btScalar(0.0625))
-	{
-		row.m_upper = dt * s.m_yield;
-		row.m_lower = -row.m_upper;
-	}
-	else
-		row.m_lower = row.m_upper = dt * btMax(-s.m_yield, btMin(s.m_yield, s.m_stiffness * s.m_strain));
+	row.m_upper = dt * s.m_yield;
+	row.m_lower = -row.m_upper;
 	return row;
 }
 
