@@ -144,6 +144,9 @@ void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar time
 	bool anyBroke = false;
 	for (int i = 0; i < m_joints.size(); ++i)
 	{
+		const int ahead = 4;
+		if (i + ahead < m_joints.size())
+			m_joints[i + ahead].m_joint->prefetch();
 		btElasticPlasticJoint& joint = *m_joints[i].m_joint;
 		const int outcome = joint.commit();
 		if (outcome & btElasticPlasticJoint::YIELDED)

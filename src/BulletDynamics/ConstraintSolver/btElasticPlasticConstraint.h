@@ -44,12 +44,6 @@ public:
 			Base::getInfo1(info);
 			m_baseRows = info->m_numConstraintRows;
 		}
-		else
-		{
-			// For Bullet's debug drawing of constraints.
-			Base::m_calculatedTransformA = Base::m_rbA.getCenterOfMassTransform() * Base::m_frameInA;
-			Base::m_calculatedTransformB = Base::m_rbB.getCenterOfMassTransform() * Base::m_frameInB;
-		}
 		info->m_numConstraintRows += prepare();
 	}
 
@@ -71,9 +65,6 @@ protected:
 		: Base(arguments...), btElasticPlasticJoint(*static_cast<Base*>(this), Base::m_frameInA, Base::m_frameInB)
 	{
 	}
-
-	/// Does Base have a limit, motor or spring on any degree of freedom?
-	virtual bool isBaseActive() = 0;
 
 private:
 	int m_baseRows = 0;

@@ -39,16 +39,25 @@ void btElasticPlasticConstraintSolver::convertJoints(btTypedConstraint** constra
 		// The joint's own rows are the last of its constraint's.
 		rows.m_rows = rows.m_joint->getNumRows();
 		rows.m_firstRow = end - rows.m_rows;
-		for (int r = rows.m_firstRow; r < end; ++r)
-		{
-			btSolverConstraint& row = m_tmpSolverNonContactConstraintPool[r];
-			const btScalar scale = 1 / (1 + row.m_cfm);
-			row.m_jacDiagABInv *= scale;
-			row.m_rhs *= scale;
-			row.m_cfm *= scale;
-		}
+		for (int r = 0; r < rows.m_rows; ++r)
+			makeSoft(m_tmpSolverNonContactConstraintPool[rows.m_firstRow + r], *rows.m_joint, r, info);
 		++j;
 	}
+}
+
+/// Bullet has made J, A and -J v / A of the row; the rest comes from the joint:
+/// impulse += (r - J v - C impulse - J dv) / (A + C).
+void btElasticPlasticConstraintSolver::makeSoft(btSolverConstraint& row, btElasticPlasticJoint& joint, int r,
+												const btContactSolverInfo& info)
+{
+	const btScalar a = 1 / row.m_jacDiagABInv;
+	const btElasticPlasticRow& soft = joint.implicitRow(r, a, info.m_erp);
+	row.m_jacDiagABInv = 1 / (a + soft.m_compliance);
+	row.m_rhs = (row.m_rhs * a + soft.m_velocity) * row.m_jacDiagABInv;
+	row.m_cfm = soft.m_compliance * row.m_jacDiagABInv;
+	// Bullet has put the breaking threshold there, if the user wants that too.
+	btSetMax(row.m_lowerLimit, soft.m_lower);
+	btSetMin(row.m_upperLimit, soft.m_upper);
 }
 
 btScalar btElasticPlasticConstraintSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,

@@ -45,6 +45,9 @@ private:
 		int m_rows;
 	};
 
+	static void makeSoft(btSolverConstraint & row, btElasticPlasticJoint & joint, int r,
+						 const btContactSolverInfo& info);
+
 	btAlignedObjectArray<JointRows> m_jointRows;
 };
 

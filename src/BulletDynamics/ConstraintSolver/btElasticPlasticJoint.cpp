@@ -38,7 +38,7 @@ btElasticPlasticJoint::~btElasticPlasticJoint()
 
 void btElasticPlasticJoint::ensureFeedback()
 {
-	if (m_constraint.getJointFeedback())
+	if (m_implicitRequested || m_constraint.getJointFeedback())
 		return;
 	const btVector3 zero(0, 0, 0);
 	m_feedback.m_appliedForceBodyA = m_feedback.m_appliedTorqueBodyA = zero;
@@ -57,6 +57,8 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (m_capacity.isElasticPlastic(i))
 			releaseBase(i);
+	if (!isBaseActive())
+		m_constraint.setDbgDrawSize(0);
 	takeRoundingAsReference();
 	return true;
 }
@@ -184,7 +186,9 @@ double btElasticPlasticJoint::getElasticEnergy() const
 
 int btElasticPlasticJoint::prepare()
 {
-	revert();
+	m_step.m_rows = 0;
+	m_step.m_implicit = m_implicitRequested;
+	m_implicitRequested = false;
 	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
 	if (m_fault || m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
 		return 0;
@@ -219,10 +223,15 @@ btScalar btElasticPlasticJoint::diagonal(int dof) const
 	return dof < 3 ? A.getInvMass() + B.getInvMass() + angular : angular;
 }
 
-/// J v from the relative velocity of A to B at the common point and the relative angular velocity.
-btScalar btElasticPlasticJoint::rowVelocity(int dof, const btVector3& linear, const btVector3& angular) const
+/// J v of all six degrees of freedom, from the relative velocity of A to B at the common point and the relative angular velocity.
+void btElasticPlasticJoint::project(const btVector3& linear, const btVector3& angular,
+									btScalar onAxes[BT_EP_DOF_COUNT]) const
 {
-	return m_step.m_kinematics.m_axis[dof % 3].dot(dof < 3 ? linear : angular);
+	for (int i = 0; i < 3; ++i)
+	{
+		onAxes[i] = m_step.m_kinematics.m_axis[i].dot(linear);
+		onAxes[3 + i] = m_step.m_kinematics.m_axis[i].dot(angular);
+	}
 }
 
 /// 1 / m_min of equation 16: the smaller of the bodies' masses or of their inertias about the axis.
@@ -246,7 +255,7 @@ btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, b
 		return m_constraint.getConstraintType() == D6_SPRING_CONSTRAINT_TYPE
 				   ? btElasticPlasticPaperMotorRow(s, dt)
 				   : btElasticPlasticPaperSpringRow(s, paperInverseMass(dof), dt);
-	return m_implicitRows ? btElasticPlasticImplicitRow(s, diagonal, dt) : btElasticPlasticStockRow(s, diagonal, dt);
+	return m_step.m_implicit ? btElasticPlasticImplicitRow(s, diagonal, dt) : btElasticPlasticStockRow(s, diagonal, dt);
 }
 
 static void copy(btScalar* to, const btVector3& from)
@@ -262,6 +271,8 @@ void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info
 	const btScalar dt = 1 / info->fps;
 	const btVector3 linear = A.getVelocityInLocalPoint(k.m_rA) - B.getVelocityInLocalPoint(k.m_rB);
 	const btVector3 angular = A.getAngularVelocity() - B.getAngularVelocity();
+	btScalar velocity[BT_EP_DOF_COUNT];
+	project(linear, angular, velocity);
 	m_step.m_dt = dt;
 	for (int r = 0; r < m_step.m_rows; ++r)
 	{
@@ -280,20 +291,35 @@ void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info
 			copy(info->m_J1angularAxis + s, axis);
 			copy(info->m_J2angularAxis + s, -axis);
 		}
+		row.m_velocity0 = velocity[row.m_dof];
+		row.m_impulse = 0;
+		if (m_step.m_implicit)
+			continue;
 		const btScalar a = diagonal(row.m_dof);
 		row.m_row = makeRow(row.m_dof, a, info->erp, dt);
-		row.m_velocity0 = rowVelocity(row.m_dof, linear, angular);
-		row.m_impulse = 0;
 		info->m_constraintError[s] = row.m_row.m_velocity;
 		info->cfm[s] = row.m_row.m_compliance / a;
 		info->m_lowerLimit[s] = row.m_row.m_lower;
 		info->m_upperLimit[s] = row.m_row.m_upper;
 	}
-	if (firstRow > 0 && !m_implicitRows)
+	m_dual.resize(0);
+	if (firstRow > 0 && !m_step.m_implicit)
 		separateBaseRows(*info, firstRow);
-	else
-		m_dual.resize(0);
-	m_implicitRows = false;
+}
+
+void btElasticPlasticJoint::requestImplicitRows()
+{
+	m_implicitRequested = true;
+	// Bullet would fill it row by row, for nobody.
+	if (m_constraint.getJointFeedback() == &m_feedback)
+		m_constraint.setJointFeedback(nullptr);
+}
+
+const btElasticPlasticRow& btElasticPlasticJoint::implicitRow(int r, btScalar diagonal, btScalar erp)
+{
+	Row& row = m_step.m_row[r];
+	row.m_row = makeRow(row.m_dof, diagonal, erp, m_step.m_dt);
+	return row.m_row;
 }
 
 namespace
@@ -351,12 +377,6 @@ void btElasticPlasticJoint::separateBaseRows(const btTypedConstraint::btConstrai
 
 // ---- the step: return mapping
 
-void btElasticPlasticJoint::setRowImpulse(int r, btScalar impulse)
-{
-	m_step.m_row[r].m_impulse = impulse;
-	m_step.m_impulsesKnown = true;
-}
-
 /// A linear row's impulse is the force along its axis, an angular one's the torque about the common point along its axis.
 void btElasticPlasticJoint::readFeedback()
 {
@@ -365,12 +385,13 @@ void btElasticPlasticJoint::readFeedback()
 		return;
 	const btVector3 force = feedback->m_appliedForceBodyA * m_step.m_dt,
 					torque = feedback->m_appliedTorqueBodyA * m_step.m_dt;
-	const btVector3 aboutPoint = torque - m_step.m_kinematics.m_rA.cross(force);
+	btScalar impulse[BT_EP_DOF_COUNT];
+	project(force, torque - m_step.m_kinematics.m_rA.cross(force), impulse);
 	for (int r = 0; r < m_step.m_rows; ++r)
 	{
 		Row& row = m_step.m_row[r];
-		row.m_impulse = m_dual.size() > 0 ? m_dual[2 * r].dot(force) + m_dual[2 * r + 1].dot(torque)
-										  : rowVelocity(row.m_dof, force, aboutPoint);
+		row.m_impulse =
+			m_dual.size() > 0 ? m_dual[2 * r].dot(force) + m_dual[2 * r + 1].dot(torque) : impulse[row.m_dof];
 	}
 }
 
@@ -388,15 +409,16 @@ btElasticPlasticReturn btElasticPlasticJoint::returnMap(const Row& row, btScalar
 		// The paper looks at the deformation at the start of the step.
 		return btElasticPlasticReturnMap(
 			k, yield, strain, btFabs(row.m_impulse) > btScalar(0.99999) * yieldImpulse && row.m_impulse * strain > 0);
+	const bool beyond = btFabs(k * trial) > yield;
 	return btElasticPlasticReturnMap(k, yield, trial,
-									 btElasticPlasticAtBound(row.m_impulse, row.m_row, trial, yieldImpulse));
+									 beyond && btElasticPlasticAtBound(row.m_impulse, row.m_row, trial, yieldImpulse));
 }
 
 int btElasticPlasticJoint::commit()
 {
 	if (m_step.m_rows == 0)
 		return NOTHING;
-	if (!m_step.m_impulsesKnown)
+	if (!m_step.m_implicit)
 		readFeedback();
 
 	const btElasticPlasticKinematics& k = m_step.m_kinematics;
@@ -405,34 +427,37 @@ int btElasticPlasticJoint::commit()
 	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
 	const btVector3 linear =
 		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
-	const btVector3 angular = wA - wB;
+	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {};
+	project(linear, wA - wB, velocity1);
 
-	btScalar increment[BT_EP_DOF_COUNT] = {};
-	int outcome = NOTHING;
+	const btScalar rate = 1 / m_step.m_dt;
+	bool flowed = false;
 	for (int r = 0; r < m_step.m_rows; ++r)
 	{
 		const Row& row = m_step.m_row[r];
 		const int i = row.m_dof;
-		const btScalar velocity1 = rowVelocity(i, linear, angular);
-		const btElasticPlasticReturn mapped = returnMap(row, velocity1);
-		m_state.m_forceRate[i] = (mapped.m_force - m_state.m_force[i]) / m_step.m_dt;
+		const btElasticPlasticReturn mapped = returnMap(row, velocity1[i]);
+		m_state.m_forceRate[i] = (mapped.m_force - m_state.m_force[i]) * rate;
 		m_state.m_force[i] = mapped.m_force;
 		// The work of an impulse on the bodies is exactly impulse times mean velocity.
-		m_state.m_work -= 0.5 * double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1));
+		m_state.m_work -= 0.5 * double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
 		if (mapped.m_increment == 0)
 			continue;
 		increment[i] = mapped.m_increment;
 		m_state.m_plastic[i] += mapped.m_increment;
 		m_state.m_plasticPath[i] += btFabs(mapped.m_increment);
 		m_state.m_plasticEnergy += double(m_capacity.m_yield[i]) * btFabs(double(mapped.m_increment));
-		if (!m_state.m_yielded)
-			outcome |= YIELDED;
-		m_state.m_yielded = true;
+		flowed = true;
 	}
+	revert();
+	if (!flowed)
+		return NOTHING;
 	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
 		turnReference(increment);
-	revert();
-	return outcome | breakIfSpent();
+	const int outcome = m_state.m_yielded ? NOTHING : YIELDED;
+	m_state.m_yielded = true;
+	m_state.m_broken = getDamage() >= 1;
+	return m_state.m_broken ? outcome | BROKE : outcome;
 }
 
 /// Turns the plastic rotation so that the elastic rotation that is measured at the new pose loses the increment.
@@ -445,12 +470,6 @@ void btElasticPlasticJoint::turnReference(const btScalar increment[6])
 	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
 							now.m_strain[5] - increment[5]);
 	m_state.m_plasticRotation = btElasticPlasticRotationFor(now.m_relative, elastic);
-}
-
-int btElasticPlasticJoint::breakIfSpent()
-{
-	m_state.m_broken = getDamage() >= 1;
-	return m_state.m_broken ? BROKE : NOTHING;
 }
 
 void btElasticPlasticJoint::holdOverlap()

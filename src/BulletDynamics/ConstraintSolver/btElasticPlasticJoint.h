@@ -44,6 +44,7 @@ public:
 	// ---- settings
 
 	/// Makes every degree of freedom with a yield value elastic-plastic and takes Bullet's own limit, motor and spring off it.
+	/// A joint that has nothing else is no more drawn by Bullet itself (setDbgDrawSize(0)), but by btElasticPlasticAction.
 	/// \return false, and the joint stays out of the simulation until it gets a valid capacity, if the capacity or the bodies
 	/// have a fault (see fault()).
 	bool setCapacity(const btElasticPlasticCapacity& capacity);
@@ -128,14 +129,19 @@ public:
 	/// Writes the rows that prepare() counted, beginning at firstRow.
 	void writeRows(btTypedConstraint::btConstraintInfo2 * info, int firstRow);
 
-	/// Rows for a solver that adds compliance to the diagonal, for the next writeRows() only: m_cfm is C / A.
-	void requestImplicitRows() { m_implicitRows = true; }
+	/// Tells that a solver of ours is at work, which takes the rows by implicitRow() and gives the impulses back by
+	/// setRowImpulse(): the next writeRows() then writes Jacobians only. For one step.
+	void requestImplicitRows();
+
+	/// The r-th row of the default scheme (or the joint's other one) for a solver that adds compliance to the diagonal.
+	/// \param diagonal  A = J M^-1 J^T of the row
+	const btElasticPlasticRow& implicitRow(int r, btScalar diagonal, btScalar erp);
 
 	/// Elastic-plastic rows in the step under way; they are the last of the constraint's rows.
 	int getNumRows() const { return m_step.m_rows; }
 
-	/// The impulse of the r-th row, from a solver that knows it. Without it commit() takes Bullet's joint feedback.
-	void setRowImpulse(int r, btScalar impulse);
+	/// The impulse of the r-th row, from a solver of ours. From others commit() takes it from Bullet's joint feedback.
+	void setRowImpulse(int r, btScalar impulse) { m_step.m_row[r].m_impulse = impulse; }
 
 	/// What a commit brought about, a set of bits.
 	enum Outcome
@@ -144,6 +150,16 @@ public:
 		YIELDED = 1,  ///< flowed for the first time
 		BROKE = 2     ///< its ductility is spent
 	};
+
+	/// Tells the processor that commit() comes soon: a large structure does not fit its caches.
+	void prefetch() const
+	{
+#if defined(__GNUC__)
+		for (const char* line = reinterpret_cast<const char*>(&m_step);
+			 line < reinterpret_cast<const char*>(&m_capacity); line += 64)
+			__builtin_prefetch(line);
+#endif
+	}
 
 	/// Ends the step: return mapping, plastic increments, energies, damage. Does nothing if the joint was not in the step.
 	int commit();
@@ -166,6 +182,9 @@ protected:
 
 	/// Takes Bullet's limit, motor and spring off a degree of freedom.
 	virtual void releaseBase(int dof) = 0;
+
+	/// Does Bullet's class have a limit, motor or spring on any degree of freedom?
+	virtual bool isBaseActive() = 0;
 
 	/// Stock solvers tell impulses only through a feedback: sets one unless the user has.
 	void ensureFeedback();
@@ -195,36 +214,36 @@ private:
 		Row m_row[BT_EP_DOF_COUNT];
 		int m_rows = 0;
 		btScalar m_dt = 0;
-		bool m_impulsesKnown = false;
+		bool m_implicit = false;  ///< rows and impulses go between us and a solver of ours
 	};
 
 	btElasticPlasticFault findFault() const;
 	void takeRoundingAsReference();
 	btScalar diagonal(int dof) const;
 	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
-	btScalar rowVelocity(int dof, const btVector3& linear, const btVector3& angular) const;
+	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
 	btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const;
 	btScalar paperInverseMass(int dof) const;
 	void readFeedback();
 	btElasticPlasticReturn returnMap(const Row& row, btScalar velocity1) const;
-	int breakIfSpent();
 	void turnReference(const btScalar increment[6]);
 
+	// In the order of use: what every step touches stands together.
 	btTypedConstraint& m_constraint;
 	const btTransform& m_frameInA;
 	const btTransform& m_frameInB;
-	btElasticPlasticAction* m_action = nullptr;  ///< that knows this joint
-	btDynamicsWorld* m_partingWorld = nullptr;   ///< set while the joint is broken and its bodies have not parted
-	btScalar m_overlap = 0;                      ///< of the bodies, while they part
-	btElasticPlasticCapacity m_capacity;
-	btElasticPlasticFault m_fault;
-	btElasticPlasticState m_state;
 	Step m_step;
+	btElasticPlasticState m_state;
+	btElasticPlasticCapacity m_capacity;
+	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
+	bool m_implicitRequested = false;
+	btScalar m_overlap = 0;                     ///< of the bodies, while they part
+	btDynamicsWorld* m_partingWorld = nullptr;  ///< set while the joint is broken and its bodies have not parted
+	btElasticPlasticFault m_fault;
+	btElasticPlasticAction* m_action = nullptr;  ///< that knows this joint
 	btJointFeedback m_feedback;
 	btAlignedObjectArray<btVector3>
 		m_dual;  ///< two vectors a row: impulse = force . first + torque . second; empty: the axes do
-	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
-	bool m_implicitRows = false;
 	char m_name[32] = {};
 };
 

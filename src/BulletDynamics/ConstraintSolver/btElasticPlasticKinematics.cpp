@@ -29,7 +29,8 @@ btQuaternion halfOf(const btQuaternion& q)
 }
 
 /// p_B - p_A. In double whatever Bullet's precision: it is a thousandth of what it is the difference of.
-btVector3 separation(const btTransform& bodyA, const btTransform& bodyB, const btVector3& pivotA, const btVector3& pivotB)
+btVector3 separation(const btTransform& bodyA, const btTransform& bodyB, const btVector3& pivotA,
+					 const btVector3& pivotB)
 {
 	btVector3 d(0, 0, 0);
 	for (int i = 0; i < 3; ++i)
@@ -96,8 +97,11 @@ void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTran
 	m_rA = armA + d * btScalar(0.5);
 	m_rB = armB - d * btScalar(0.5);
 
-	const btVector3 elasticA = btElasticPlasticLog(m_relative * plasticRotation.inverse());
-	const btVector3 elastic = quatRotate(half.inverse(), elasticA);
+	// Without plastic rotation the elastic one is all there is, and turning it about itself changes nothing.
+	const btVector3 elastic =
+		plasticRotation.w() == 1
+			? btElasticPlasticLog(m_relative)
+			: quatRotate(half.inverse(), btElasticPlasticLog(m_relative * plasticRotation.inverse()));
 	for (int i = 0; i < 3; ++i)
 	{
 		m_strain[i] = d.dot(m_axis[i]) - plasticOffset[i];

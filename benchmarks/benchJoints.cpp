@@ -1,0 +1,181 @@
+// What a joint costs in a step: set-up, 10 iterations and finish of the solver, and our commit; chains and walls of blocks.
+// All kinds of joints take turns in one benchmark, so that ratios hold on a noisy machine.
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+#include "World.h"
+
+namespace
+{
+using namespace ep;
+
+enum class Kind
+{
+	Fixed,           // btFixedConstraint
+	Spring2,         // btGeneric6DofSpring2Constraint, six springs
+	ElasticPlastic,  // first class, Bullet's own solver
+	ElasticPlastic2,
+	ElasticPlastic2Ours,  // second class, our solver
+	HalfBroken,           // second class, every other joint broken
+	Count
+};
+const char* const NAMES[] = {"fixed", "spring2", "ep", "ep2", "ep2_ours", "half_broken"};
+
+/// Blocks of concrete side by side in a row, or in a wall of running joints, and what holds them.
+class Structure
+{
+public:
+	Structure(Kind kind, bool wall, int joints) : m_kind(kind), m_world(kind == Kind::ElasticPlastic2Ours ? Solver::Iterative : Solver::Stock)
+	{
+		const int height = wall ? std::max(2, int(sqrt(joints / 2.))) : 1, width = wall ? height : joints;
+		btCollisionShape* block = m_world.box(btVector3(1, 1, 1));
+		btRigidBody* ground = m_world.body(0, block, btTransform::getIdentity(), false);
+		std::vector<btRigidBody*> bodies(width * height);
+		const btQuaternion along(0, 0, 0, 1), up(btVector3(0, 0, 1), SIMD_HALF_PI);
+		for (int y = 0; y < height; ++y)
+			for (int x = 0; x < width; ++x)
+			{
+				const btVector3 place(btScalar(x + 1), btScalar(y), 0), half(btScalar(0.5), 0, 0);
+				btRigidBody*& body = bodies[y * width + x];
+				body = m_world.body(2000, block, btTransform(along, place), false);
+				if (x > 0 || !wall)
+					join(x > 0 ? *bodies[y * width + x - 1] : *ground, *body, btTransform(along, place - half));
+				if (wall)
+					join(y > 0 ? *bodies[(y - 1) * width + x] : *ground, *body, btTransform(up, place - btVector3(0, btScalar(0.5), 0)));
+			}
+		// To be in the middle of things, half of the joints broken where they are to be. All bodies move differently, in all
+		// directions: where nothing happens, numbers die out into denormal ones, which cost ten times as much.
+		unsigned random = 1;
+		const auto next = [&random]
+		{ return btScalar(1e-3) * (btScalar((random = random * 1664525u + 1013904223u) >> 8) / btScalar(1 << 24) - btScalar(0.5)); };
+		for (int i = 0; i < 10; ++i)
+		{
+			m_velocities.clear();
+			for (const auto& body : m_world.bodies())
+			{
+				m_velocities.push_back({btVector3(next(), next(), next()), btVector3(next(), next(), next())});
+				body->setLinearVelocity(m_velocities.back().first);
+				body->setAngularVelocity(m_velocities.back().second);
+			}
+			m_world.step(btScalar(1) / 60);
+		}
+		for (const auto& body : m_world.bodies())
+			m_bodies.push_back(body.get());
+		for (int i = 0; i < m_world.bullet().getNumConstraints(); ++i)
+			m_constraints.push_back(m_world.bullet().getConstraint(i));
+		// All ten iterations, whether or not there is anything left to do.
+		m_world.bullet().getSolverInfo().m_leastSquaresResidualThreshold = -1;
+	}
+
+	int joints() const { return m_joints; }
+
+	/// [s]
+	double step()
+	{
+		for (size_t i = 0; i < m_velocities.size(); ++i)
+		{
+			btRigidBody& body = *m_world.bodies()[i];
+			body.setLinearVelocity(m_velocities[i].first);
+			body.setAngularVelocity(m_velocities[i].second);
+			body.setInterpolationLinearVelocity(m_velocities[i].first);
+			body.setInterpolationAngularVelocity(m_velocities[i].second);
+			body.applyGravity();
+		}
+		btDiscreteDynamicsWorld& world = m_world.bullet();
+		world.getSolverInfo().m_timeStep = btScalar(1) / 60;
+		const auto begin = std::chrono::steady_clock::now();
+		world.getConstraintSolver()->solveGroup(m_bodies.data(), int(m_bodies.size()), nullptr, 0, m_constraints.data(),
+												int(m_constraints.size()), world.getSolverInfo(), nullptr, world.getDispatcher());
+		if (m_kind != Kind::Fixed && m_kind != Kind::Spring2)
+			m_world.action().updateAction(&world, btScalar(1) / 60);
+		const auto end = std::chrono::steady_clock::now();
+		world.clearForces();
+		return std::chrono::duration<double>(end - begin).count();
+	}
+
+private:
+	void join(btRigidBody& a, btRigidBody& b, const btTransform& frame)
+	{
+		const btTransform inA = a.getCenterOfMassTransform().inverse() * frame, inB = b.getCenterOfMassTransform().inverse() * frame;
+		const int index = m_joints++;
+		if (m_kind == Kind::Fixed)
+		{
+			m_world.add(new btFixedConstraint(a, b, inA, inB));
+			return;
+		}
+		btElasticPlasticCapacity capacity =
+			btElasticPlasticCapacity::fromMember(btElasticPlasticMaterial::reinforcedConcrete(btScalar(0.01)),
+												 btElasticPlasticSection::rectangle(1, 1), 1, 1);
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			capacity.m_ductility[i] = btElasticPlasticCapacity::unlimited();
+		if (m_kind == Kind::Spring2)
+		{
+			auto* joint = new btGeneric6DofSpring2Constraint(a, b, inA, inB);
+			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			{
+				joint->setLimit(i, 1, -1);
+				joint->enableSpring(i, true);
+				joint->setStiffness(i, capacity.m_stiffness[i]);
+			}
+			m_world.add(joint);
+			return;
+		}
+		if (m_kind == Kind::HalfBroken && index % 2)
+		{
+			capacity.scaleYield(btScalar(1e-6));
+			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+				capacity.m_ductility[i] = btScalar(1e-9);
+		}
+		m_world.joint(a, b, frame, capacity, m_kind == Kind::ElasticPlastic ? JointClass::Spring : JointClass::Spring2);
+	}
+
+	Kind m_kind;
+	World m_world;
+	int m_joints = 0;
+	std::vector<btCollisionObject*> m_bodies;
+	std::vector<btTypedConstraint*> m_constraints;
+	std::vector<std::pair<btVector3, btVector3>> m_velocities;
+};
+
+void Joints(benchmark::State& state, bool wall)
+{
+	std::vector<std::unique_ptr<Structure>> structures;
+	for (int kind = 0; kind < int(Kind::Count); ++kind)
+		structures.emplace_back(new Structure(Kind(kind), wall, int(state.range(0))));
+	std::vector<double> times[int(Kind::Count)];
+	for (auto _ : state)
+	{
+		double round = 0;
+		for (int kind = 0; kind < int(Kind::Count); ++kind)
+		{
+			times[kind].push_back(structures[kind]->step());
+			round += times[kind].back();
+		}
+		state.SetIterationTime(round);
+	}
+	const auto median = [&](Kind kind)
+	{
+		std::vector<double>& t = times[int(kind)];
+		std::nth_element(t.begin(), t.begin() + t.size() / 2, t.end());
+		return t[t.size() / 2];
+	};
+	const double joints = structures[0]->joints(), spring2 = median(Kind::Spring2);
+	for (int kind = 0; kind < int(Kind::Count); ++kind)
+		state.counters[std::string("ns_") + NAMES[kind]] = 1e9 * median(Kind(kind)) / joints;
+	for (Kind kind : {Kind::ElasticPlastic, Kind::ElasticPlastic2, Kind::ElasticPlastic2Ours})
+		state.counters[std::string(NAMES[int(kind)]) + "/spring2"] = median(kind) / spring2;
+	state.counters["half_broken/whole"] = median(Kind::HalfBroken) / median(Kind::ElasticPlastic2);
+	state.counters["bytes_spring2"] = sizeof(btGeneric6DofSpring2Constraint);
+	state.counters["bytes_ep"] = sizeof(btElasticPlastic6DofSpringConstraint);
+	state.counters["bytes_ep2"] = sizeof(btElasticPlastic6DofSpring2Constraint);
+}
+
+BENCHMARK_CAPTURE(Joints, chain, false)->Arg(100)->Arg(1000)->Arg(10000)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Joints, wall, true)->Arg(100)->Arg(1000)->Arg(10000)->UseManualTime()->Unit(benchmark::kMillisecond);
+}  // namespace
