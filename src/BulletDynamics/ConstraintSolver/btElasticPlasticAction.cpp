@@ -141,7 +141,7 @@ void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar time
 	m_time += timeStep;
 	// Actions live in dynamics worlds only.
 	btDynamicsWorld& dynamics = *static_cast<btDynamicsWorld*>(world);
-	bool anyBroke = false;
+	const int brokenBefore = m_broken.size();
 	for (int i = 0; i < m_joints.size(); ++i)
 	{
 		const int ahead = 4;
@@ -154,13 +154,16 @@ void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar time
 		if (outcome & btElasticPlasticJoint::BROKE)
 		{
 			report(BT_EP_EVENT_BREAK, joint);
-			m_joints[i].m_disableCollisions = removeBroken(dynamics, joint);
-			m_joints[i].m_world = &dynamics;
 			m_broken.push_back(m_joints[i]);
-			anyBroke = true;
 		}
 	}
-	if (anyBroke)
+	// Backwards: Bullet fills the gap of a removed constraint with its last one, and this way its list keeps its order.
+	for (int i = m_broken.size() - 1; i >= brokenBefore; --i)
+	{
+		m_broken[i].m_world = &dynamics;
+		m_broken[i].m_disableCollisions = removeBroken(dynamics, *m_broken[i].m_joint);
+	}
+	if (m_broken.size() > brokenBefore)
 		removeIf(m_joints, [](const Entry& e) { return e.m_joint->isBroken(); });
 	endPartings();
 	deliver();

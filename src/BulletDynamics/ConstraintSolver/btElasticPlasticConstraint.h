@@ -39,7 +39,7 @@ public:
 		m_baseRows = 0;
 		if (fault() || isBroken())
 			return;
-		if (isBaseActive())
+		if (hasBaseDof() && isBaseActive())
 		{
 			Base::getInfo1(info);
 			m_baseRows = info->m_numConstraintRows;

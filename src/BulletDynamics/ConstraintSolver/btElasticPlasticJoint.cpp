@@ -54,9 +54,13 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 	m_fault = findFault();
 	if (m_fault)
 		return false;
+	m_dofs = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (m_capacity.isElasticPlastic(i))
+		{
+			m_dofs |= 1u << i;
 			releaseBase(i);
+		}
 	if (!isBaseActive())
 		m_constraint.setDbgDrawSize(0);
 	takeRoundingAsReference();
@@ -205,7 +209,7 @@ int btElasticPlasticJoint::prepare()
 	for (int n = 0; n < BT_EP_DOF_COUNT; ++n)
 	{
 		const int dof = (n + 3) % BT_EP_DOF_COUNT;
-		if (m_capacity.isElasticPlastic(dof))
+		if (m_dofs >> dof & 1u)
 			m_step.m_row[m_step.m_rows++].m_dof = dof;
 	}
 	return m_step.m_rows;

@@ -183,6 +183,9 @@ protected:
 	/// Takes Bullet's limit, motor and spring off a degree of freedom.
 	virtual void releaseBase(int dof) = 0;
 
+	/// Is any degree of freedom left to Bullet's class?
+	bool hasBaseDof() const { return m_dofs != (1u << BT_EP_DOF_COUNT) - 1; }
+
 	/// Does Bullet's class have a limit, motor or spring on any degree of freedom?
 	virtual bool isBaseActive() = 0;
 
@@ -235,6 +238,7 @@ private:
 	Step m_step;
 	btElasticPlasticState m_state;
 	btElasticPlasticCapacity m_capacity;
+	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
 	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
 	bool m_implicitRequested = false;
 	btScalar m_overlap = 0;                     ///< of the bodies, while they part
