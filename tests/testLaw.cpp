@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticFault.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticKinematics.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticLaw.h"
 #include "Precision.h"
@@ -175,6 +176,21 @@ TEST(Kinematics, StrainIsFrameIndifferent)
 		swapped.evaluate(bodyB, bodyA, frameB, frameA, btVector3(0, 0, 0), btQuaternion(0, 0, 0, 1));
 		for (int i = 0; i < 6; ++i)
 			EXPECT_NEAR(first.m_strain[i], -swapped.m_strain[i], byPrecision(1e-13, 3e-6));
+	}
+}
+
+TEST(Kinematics, SmallPlasticRotationsCount)
+{
+	// In float a rotation of 0.1 mrad has a scalar part of exactly 1.
+	const btTransform still = btTransform::getIdentity();
+	for (double angle : {1e-5, 1e-4, 3e-4, 1e-3})
+	{
+		const btTransform turned(rotation(0, 1, 0, angle));
+		btElasticPlasticKinematics k;
+		k.evaluate(still, turned, still, still, btVector3(0, 0, 0), rotation(0, 1, 0, angle));
+		EXPECT_NEAR(0, k.m_strain[BT_EP_BENDING_Y], byPrecision(1e-15, 1e-7));
+		k.evaluate(still, turned, still, still, btVector3(0, 0, 0), btQuaternion(0, 0, 0, 1));
+		EXPECT_NEAR(angle, k.m_strain[BT_EP_BENDING_Y], byPrecision(1e-15, 1e-7));
 	}
 }
 

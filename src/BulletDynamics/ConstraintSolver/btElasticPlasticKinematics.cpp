@@ -97,11 +97,12 @@ void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTran
 	m_rA = armA + d * btScalar(0.5);
 	m_rB = armB - d * btScalar(0.5);
 
-	// Without plastic rotation the elastic one is all there is, and turning it about itself changes nothing.
+	// Without plastic rotation the elastic one is all there is, and turning it about itself changes nothing. (The scalar part
+	// alone does not tell: in float it is 1 up to half a milliradian.)
+	const bool isVirgin = plasticRotation.x() == 0 && plasticRotation.y() == 0 && plasticRotation.z() == 0;
 	const btVector3 elastic =
-		plasticRotation.w() == 1
-			? btElasticPlasticLog(m_relative)
-			: quatRotate(half.inverse(), btElasticPlasticLog(m_relative * plasticRotation.inverse()));
+		isVirgin ? btElasticPlasticLog(m_relative)
+				 : quatRotate(half.inverse(), btElasticPlasticLog(m_relative * plasticRotation.inverse()));
 	for (int i = 0; i < 3; ++i)
 	{
 		m_strain[i] = d.dot(m_axis[i]) - plasticOffset[i];

@@ -1,0 +1,35 @@
+#ifndef EP_DEMOLISHER_SCENE_H
+#define EP_DEMOLISHER_SCENE_H
+
+#include "Demolisher.h"
+#include "ViewedScene.h"
+
+namespace ep
+{
+/// The demolisher as something to look at and to drive.
+class DemolisherScene : public ViewedScene
+{
+public:
+	explicit DemolisherScene(const DemolisherSettings& settings) : m_settings(settings) { restart(); }
+
+	const Demolisher& demolisher() const { return *m_demolisher; }
+	void setAutopilot(bool on) { m_autopilot = on; }
+
+	std::string title() const override { return "Demolisher"; }
+	btScalar stepTime() const override { return Demolisher::STEP; }
+	void step(const Controls& controls) override;
+	void restart() override;
+	Drawing draw() const override;
+	btVector3 centre() const override;
+	btScalar extent() const override;
+	void key(char key) override;
+	std::vector<std::string> keyHelp() const override { return {"G  autopilot on or off"}; }
+
+private:
+	DemolisherSettings m_settings;
+	std::unique_ptr<Demolisher> m_demolisher;
+	bool m_autopilot = false;
+};
+}  // namespace ep
+
+#endif  // EP_DEMOLISHER_SCENE_H

@@ -1,0 +1,37 @@
+#include "Drawing.h"
+
+namespace ep
+{
+Part prismPart(const btTransform& pose, const std::vector<btVector3>& profile, btScalar width, const Colour& colour,
+			   float gloss)
+{
+	Part part;
+	part.pose = pose;
+	part.profile = profile;
+	part.width = width;
+	part.colour = colour;
+	part.gloss = gloss;
+	return part;
+}
+
+Part boxPart(const btTransform& pose, const btVector3& size, const Colour& colour, float gloss)
+{
+	const btScalar x = size.x() / 2, y = size.y() / 2;
+	return prismPart(pose, {btVector3(-x, -y, 0), btVector3(x, -y, 0), btVector3(x, y, 0), btVector3(-x, y, 0)},
+					 size.z(), colour, gloss);
+}
+
+Part cylinderPart(const btTransform& pose, btScalar radius, btScalar width, const Colour& colour, float gloss)
+{
+	const int corners = 32;
+	std::vector<btVector3> profile;
+	for (int i = 0; i < corners; ++i)
+	{
+		const btScalar angle = SIMD_2_PI * i / corners;
+		profile.emplace_back(radius * btCos(angle), radius * btSin(angle), btScalar(0));
+	}
+	Part part = prismPart(pose, profile, width, colour, gloss);
+	part.round = true;
+	return part;
+}
+}  // namespace ep

@@ -1,0 +1,51 @@
+#ifndef EP_DRAWING_H
+#define EP_DRAWING_H
+
+#include <string>
+#include <vector>
+
+#include "LinearMath/btTransform.h"
+
+namespace ep
+{
+/// Linear light, 0 to 1.
+struct Colour
+{
+	float r, g, b;
+};
+
+/// A thing to draw: a convex profile in the x-y plane of its pose, drawn out along z. SI units.
+struct Part
+{
+	btTransform pose;
+	std::vector<btVector3> profile;  ///< corners, counter-clockwise seen from +z; their z is not used
+	btScalar width;                  ///< along z, half of it to each side
+	Colour colour;
+	float gloss = 0;     ///< 0 is dull, 1 is polished
+	bool round = false;  ///< the profile stands for a curve: its sides are shaded as one
+};
+
+Part boxPart(const btTransform& pose, const btVector3& size, const Colour& colour, float gloss = 0);
+
+/// The cylinder's axis is z.
+Part cylinderPart(const btTransform& pose, btScalar radius, btScalar width, const Colour& colour, float gloss = 0);
+Part prismPart(const btTransform& pose, const std::vector<btVector3>& profile, btScalar width, const Colour& colour,
+			   float gloss = 0);
+
+/// All there is to see at a moment. The ground is the plane y = 0.
+struct Drawing
+{
+	struct Key
+	{
+		Colour colour;
+		std::string text;
+	};
+
+	std::vector<Part> parts;
+	btTransform subject = btTransform::getIdentity();  ///< what a camera follows, x forward
+	std::vector<std::string> text;                     ///< lines for the reader
+	std::vector<Key> legend;                           ///< what colours mean
+};
+}  // namespace ep
+
+#endif  // EP_DRAWING_H

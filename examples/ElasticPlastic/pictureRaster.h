@@ -1,0 +1,13 @@
+#ifndef EP_PICTURE_RASTER_H
+#define EP_PICTURE_RASTER_H
+
+#include "picturePng.h"
+#include "pictureView.h"
+
+namespace ep
+{
+/// Draws without OpenGL, for machines without a display: depth buffer, shadow map, four samples a pixel.
+Image drawPicture(const Drawing& drawing, const Camera& camera, int width, int height);
+}  // namespace ep
+
+#endif  // EP_PICTURE_RASTER_H

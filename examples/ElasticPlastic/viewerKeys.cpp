@@ -1,0 +1,78 @@
+#include "viewerKeys.h"
+
+#include <cctype>
+
+#include "viewerGl.h"
+
+namespace ep
+{
+namespace
+{
+const int UP = ViewerKeys::SPECIAL + GLUT_KEY_UP, DOWN = ViewerKeys::SPECIAL + GLUT_KEY_DOWN,
+		  LEFT = ViewerKeys::SPECIAL + GLUT_KEY_LEFT, RIGHT = ViewerKeys::SPECIAL + GLUT_KEY_RIGHT;
+const int ESCAPE = 27;
+
+int plain(int key) { return key < ViewerKeys::SPECIAL ? std::tolower(key) : key; }
+}  // namespace
+
+ViewerKeys::Command ViewerKeys::key(int key, bool down)
+{
+	key = plain(key);
+	if (!down)
+	{
+		m_down.erase(key);
+		return NOTHING;
+	}
+	m_down.insert(key);
+	switch (key)
+	{
+		case 'p':
+			return PAUSE;
+		case 'n':
+		case 'o':
+			return SINGLE_STEP;
+		case 'r':
+			return RESTART;
+		case 'c':
+			return CAMERA;
+		case 'h':
+			return HELP;
+		case SPECIAL + GLUT_KEY_F12:
+			return SCREENSHOT;
+		case ESCAPE:
+			return QUIT;
+		default:
+			return NOTHING;
+	}
+}
+
+bool ViewerKeys::drives(int key)
+{
+	key = plain(key);
+	return key >= SPECIAL || key == 'w' || key == 'a' || key == 's' || key == 'd' || key == ' ';
+}
+
+bool ViewerKeys::isDown(int letter, int arrow) const { return m_down.count(letter) > 0 || m_down.count(arrow) > 0; }
+
+Controls ViewerKeys::controls() const
+{
+	Controls controls;
+	controls.throttle = btScalar(isDown('w', UP) - isDown('s', DOWN));
+	controls.steer = btScalar(isDown('d', RIGHT) - isDown('a', LEFT));
+	controls.handbrake = isDown(' ', ' ');
+	return controls;
+}
+
+std::vector<std::string> ViewerKeys::help()
+{
+	return {"W S  or arrows: drive, brake and reverse",
+			"A D  or arrows: steer",
+			"Space  handbrake",
+			"P  pause,  N or O  single step",
+			"R  restart",
+			"C  camera,  mouse  turns it, wheel zooms",
+			"F12  screenshot",
+			"Esc  quit",
+			"H  help on or off"};
+}
+}  // namespace ep

@@ -1,0 +1,46 @@
+#ifndef EP_VIEWER_KEYS_H
+#define EP_VIEWER_KEYS_H
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "Controls.h"
+
+namespace ep
+{
+/// What the keys mean, and which are down.
+class ViewerKeys
+{
+public:
+	static const int SPECIAL = 256;  ///< added to the codes of arrows and function keys
+
+	enum Command
+	{
+		NOTHING,
+		PAUSE,
+		SINGLE_STEP,
+		RESTART,
+		CAMERA,
+		HELP,
+		SCREENSHOT,
+		QUIT
+	};
+
+	/// A key goes down or up. \return what it asks for
+	Command key(int key, bool down);
+
+	/// Whether it is one of the keys to drive with.
+	static bool drives(int key);
+
+	Controls controls() const;
+	static std::vector<std::string> help();
+
+private:
+	bool isDown(int letter, int arrow) const;
+
+	std::set<int> m_down;
+};
+}  // namespace ep
+
+#endif  // EP_VIEWER_KEYS_H

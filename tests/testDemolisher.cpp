@@ -1,0 +1,181 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "Demolisher.h"
+#include "DemolisherScene.h"
+#include "Precision.h"
+#include "Summary.h"
+
+using namespace ep;
+
+namespace
+{
+Controls handbrake()
+{
+	Controls controls;
+	controls.handbrake = true;
+	return controls;
+}
+
+void stand(Demolisher& demolisher, double seconds)
+{
+	for (double time = 0; time < seconds; time += double(Demolisher::STEP))
+		demolisher.step(handbrake());
+}
+
+bool isFinite(Demolisher& demolisher)
+{
+	double sum = 0;
+	for (const auto& body : demolisher.world().bodies())
+	{
+		const btTransform& pose = body->getCenterOfMassTransform();
+		sum += double(pose.getOrigin().length() + pose.getRotation().length() + body->getLinearVelocity().length());
+	}
+	return btElasticPlasticIsFinite(sum);
+}
+}  // namespace
+
+TEST(Demolisher, BridgeStandsUnderItsOwnWeight)
+{
+	Demolisher demolisher{DemolisherSettings()};
+	stand(demolisher, 4);
+	const Bridge& bridge = demolisher.bridge();
+	EXPECT_EQ(demolisher.summary().yielded, 0);
+
+	// A chain of 12 rigid blocks hangs 6 % deeper than the beam it stands for, one of 24 blocks 1 %.
+	const double beam = double(bridge.beamSag(10));
+	EXPECT_GT(beam, .05);
+	EXPECT_NEAR(demolisher.summary().sag / beam, 1.06, .02);
+
+	// w L^2 / 12 at the ends of a clamped beam.
+	const double moment = double(bridge.blockMass() * 10 * bridge.settings().blocks * bridge.settings().span / 12);
+	for (int end : {0, bridge.settings().blocks})
+		EXPECT_NEAR(std::fabs(double(bridge.joints()[end]->getForce(BT_EP_BENDING_Z))) / moment, 1, .03);
+}
+
+TEST(Demolisher, SagTendsToTheBeamsWithMoreBlocks)
+{
+	DemolisherSettings settings;
+	settings.bridge.blocks = 24;
+	settings.substeps = 16;
+	settings.iterations = 150;
+	Demolisher demolisher(settings);
+	stand(demolisher, 2.5);
+	EXPECT_NEAR(demolisher.summary().sag / double(demolisher.bridge().beamSag(10)), 1.01, .015);
+}
+
+TEST(Demolisher, SupportsBearTheWeightOfBridgeAndVehicle)
+{
+	DemolisherSettings settings;
+	settings.start = 0;  // in the middle, but on the ground: lifted below
+	settings.bridge.steelShare = btScalar(.05);
+	Demolisher demolisher(settings);
+	btRigidBody& chassis = demolisher.vehicle().chassis();
+	chassis.translate(btVector3(0, settings.bridge.height, 0));
+	stand(demolisher, 5);
+
+	// Mean over a second: the bridge still swings a little.
+	double onWheels = 0, onDeck = 0, onSupports = 0;
+	for (int i = 0; i < 60; ++i)
+	{
+		demolisher.step(handbrake());
+		onWheels += double(demolisher.vehicle().wheelForce()) / 60;
+		onDeck -= double(demolisher.vehicle().loadOnBodies().y()) / 60;
+		onSupports += double(demolisher.bridge().supportForce()) / 60;
+	}
+	const double vehicle = double(settings.vehicle.mass * settings.gravity);
+	const double deck = double(demolisher.bridge().blockMass() * settings.bridge.blocks * settings.gravity);
+	EXPECT_NEAR(onWheels, vehicle, .01 * vehicle);
+	EXPECT_NEAR(onDeck, vehicle, .01 * vehicle);
+	EXPECT_NEAR(onSupports - deck, vehicle, .01 * vehicle);
+	// On the brakes it stays where it is.
+	EXPECT_NEAR(double(demolisher.vehicle().pose().getOrigin().x()), 0, .05);
+}
+
+TEST(Demolisher, AutopilotCrossesAndLeavesTheBridgeBent)
+{
+	Demolisher demolisher{DemolisherSettings()};
+	double sway = 0;
+	for (int i = 0; i < 60 * 30 && !demolisher.hasArrived(); ++i)
+	{
+		demolisher.stepByAutopilot();
+		sway = std::max(sway, std::fabs(double(demolisher.vehicle().pose().getOrigin().z())));
+	}
+	const DemolisherSummary s = demolisher.summary();
+	EXPECT_TRUE(demolisher.hasArrived());
+	EXPECT_TRUE(s.crossed);
+	EXPECT_LT(sway, .1);
+	EXPECT_TRUE(isFinite(demolisher));
+	EXPECT_EQ(s.joints, 13);
+	EXPECT_GE(s.yielded, 2);
+	EXPECT_LT(s.yielded, s.joints);
+	EXPECT_EQ(s.broken, 0);
+	// 0.361 m and 461 kJ with 32 substeps of 400 iterations.
+	EXPECT_NEAR(s.sag, .36, .03);
+	EXPECT_NEAR(s.plasticEnergy, 461e3, 46e3);
+	// Bending moment times hinge rotation is all of it.
+	double work = 0;
+	for (const btElasticPlasticJoint* joint : demolisher.bridge().joints())
+		work += double(joint->getCapacity().m_yield[BT_EP_BENDING_Z] * joint->getPlasticPath(BT_EP_BENDING_Z));
+	EXPECT_NEAR(work / s.plasticEnergy, 1, .02);
+}
+
+TEST(Demolisher, WeakBridgeFallsAndNothingGoesAstray)
+{
+	DemolisherSettings settings;
+	settings.bridge.steelShare = btScalar(.02);
+	Demolisher demolisher(settings);
+	for (int i = 0; i < 60 * 12; ++i)
+		demolisher.stepByAutopilot();
+	EXPECT_GT(demolisher.summary().broken, 0);
+	EXPECT_TRUE(isFinite(demolisher));
+	for (const btRigidBody* block : demolisher.bridge().deck())
+	{
+		EXPECT_GT(double(block->getCenterOfMassPosition().y()), 0);
+		EXPECT_LT(double(block->getCenterOfMassPosition().length()), 40);
+	}
+}
+
+TEST(Demolisher, SpeedIsLimited)
+{
+	DemolisherSettings settings;
+	settings.start = -2000;
+	Demolisher demolisher(settings);
+	stand(demolisher, 2.5);
+	Controls full;
+	full.throttle = 1;
+	for (int i = 0; i < 60 * 60; ++i)
+		demolisher.step(full);
+	EXPECT_LT(demolisher.summary().speed * 3.6, 96);
+	EXPECT_GT(demolisher.summary().speed * 3.6, 85);
+}
+
+TEST(Demolisher, SummaryHasItsKeys)
+{
+	Demolisher demolisher{DemolisherSettings()};
+	demolisher.step(Controls());
+	const nlohmann::json json = nlohmann::json::parse(toJson(demolisher.summary(), demolisher.settings()));
+	for (const char* key : {"joints_total", "joints_yielded", "joints_broken", "plastic_energy_J", "real_time_factor"})
+		EXPECT_TRUE(json.at(key).is_number()) << key;
+	EXPECT_EQ(json.at("vehicle_position_m").size(), 3u);
+	EXPECT_EQ(json.at("joints_total"), 13);
+}
+
+TEST(Demolisher, RestartIsAsNew)
+{
+	DemolisherScene scene{DemolisherSettings()};
+	scene.setAutopilot(true);
+	const auto run = [&scene]
+	{
+		for (int i = 0; i < 60 * 4; ++i)
+			scene.step(Controls());
+		return scene.demolisher().summary();
+	};
+	const DemolisherSummary first = run();
+	scene.restart();
+	const DemolisherSummary second = run();
+	EXPECT_EQ(first.vehicle.x(), second.vehicle.x());
+	EXPECT_EQ(first.sag, second.sag);
+}
