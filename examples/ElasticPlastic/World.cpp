@@ -19,9 +19,12 @@ std::unique_ptr<btConstraintSolver> World::makeSolver(Solver solver)
 			m_mlcp = std::make_unique<btDantzigSolver>();
 			return std::make_unique<btMLCPSolver>(m_mlcp.get());
 		case Solver::Iterative:
+		case Solver::Direct:
 			break;
 	}
-	return std::make_unique<btElasticPlasticConstraintSolver>();
+	auto ours = std::make_unique<btElasticPlasticConstraintSolver>();
+	ours->setForm(solver == Solver::Direct ? BT_EP_DIRECT : BT_EP_ITERATIVE);
+	return ours;
 }
 
 World::World(Solver solver, const btVector3& gravity, std::unique_ptr<btConstraintSolver> own)

@@ -19,6 +19,7 @@ enum class Solver
 	Nncg,       ///< btNNCGConstraintSolver
 	Mlcp,       ///< btMLCPSolver with btDantzigSolver
 	Iterative,  ///< btElasticPlasticConstraintSolver, iterative
+	Direct,     ///< btElasticPlasticConstraintSolver, direct
 };
 
 /// Which of the two constraint classes a joint is.

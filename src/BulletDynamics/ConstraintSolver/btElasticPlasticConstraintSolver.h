@@ -18,21 +18,48 @@ subject to the following restrictions:
 
 #include "BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h"
 #include "btElasticPlasticJoint.h"
+#include "btElasticPlasticSystem.h"
 
-/// Bullet's sequential impulses with exact soft rows: hand it to the world instead of btSequentialImpulseConstraintSolver.
+/// How islands with elastic-plastic joints are solved.
+enum btElasticPlasticForm
+{
+	BT_EP_DIRECT,    ///< the default: exactly, by a sparse factorisation, contacts and other constraints included
+	BT_EP_ITERATIVE  ///< by Bullet's sequential impulses with exact soft rows: as good as its iterations
+};
+
+/// Bullet's solver with elastic-plastic joints solved right: hand it to the world instead of
+/// btSequentialImpulseConstraintSolver. Islands without elastic-plastic joints are solved as ever, bit for bit.
 ///
-/// Bullet multiplies the impulse by a row's compliance but leaves it out of the diagonal; the iteration then diverges for
-/// springs that the step resolves. Here an elastic-plastic row (J v + C lambda = r) is divided by A + C instead of A, which is
-/// Gauss-Seidel on the true matrix and converges for every C; so the joints give their implicit rows (btElasticPlasticLaw.h).
-/// All other constraints and contacts are solved as by the base class, bit for bit where there are no elastic-plastic joints.
+/// Direct: all rows of an island in one semismooth Newton, see btElasticPlasticSystem.h. A stiff structure holds at any step.
+/// Where it does not converge the iterative form takes over, and the statistics count it.
+///
+/// Iterative: Bullet multiplies the impulse by a row's compliance but leaves it out of the diagonal; the iteration then
+/// diverges for springs that the step resolves. Here an elastic-plastic row (J v + C lambda = r) is divided by A + C instead
+/// of A, which is Gauss-Seidel on the true matrix and converges for every C, if slowly for long stiff chains.
 ATTRIBUTE_ALIGNED16(class)
 btElasticPlasticConstraintSolver : public btSequentialImpulseConstraintSolver
 {
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
+	void setForm(btElasticPlasticForm form) { m_form = form; }
+	btElasticPlasticForm getForm() const { return m_form; }
+
+	/// The direct form's settings and statistics, summed since resetStatistics().
+	btElasticPlasticSystem& getSystem() { return m_system; }
+	const btElasticPlasticSystem::Statistics& getStatistics() const { return m_system.getStatistics(); }
+	void resetStatistics() { m_system.resetStatistics(); }
+
+	btScalar solveGroup(btCollisionObject * *bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
+						btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info,
+						btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;
+
 protected:
 	void convertJoints(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info) override;
+	btScalar solveGroupCacheFriendlyIterations(btCollisionObject * *bodies, int numBodies,
+											   btPersistentManifold** manifolds, int numManifolds,
+											   btTypedConstraint** constraints, int numConstraints,
+											   const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
 	btScalar solveGroupCacheFriendlyFinish(btCollisionObject * *bodies, int numBodies, const btContactSolverInfo& info)
 		override;
 
@@ -48,7 +75,21 @@ private:
 	static void makeSoft(btSolverConstraint & row, btElasticPlasticJoint & joint, int r,
 						 const btContactSolverInfo& info);
 
+	void addBodies();
+	void addRows(btConstraintArray & pool);
+	btElasticPlasticSystem::Row& addRow(const btSolverConstraint& row);
+	void addContacts();
+	bool solveDirectly();
+	void takeResult();
+
+	btElasticPlasticForm m_form = BT_EP_DIRECT;
 	btAlignedObjectArray<JointRows> m_jointRows;
+	btElasticPlasticSystem m_system;
+	btAlignedObjectArray<int> m_index;  ///< of a solver body in the system, -1: does not move
+	// The group's islands with elastic-plastic joints and those without, where it has both.
+	btAlignedObjectArray<btCollisionObject*> m_bodies[2];
+	btAlignedObjectArray<btPersistentManifold*> m_manifolds[2];
+	btAlignedObjectArray<btTypedConstraint*> m_constraints[2];
 };
 
 #endif  // BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H

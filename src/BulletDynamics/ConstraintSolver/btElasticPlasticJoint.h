@@ -143,6 +143,10 @@ public:
 	/// The impulse of the r-th row, from a solver of ours. From others commit() takes it from Bullet's joint feedback.
 	void setRowImpulse(int r, btScalar impulse) { m_step.m_row[r].m_impulse = impulse; }
 
+	/// Whether the row was at a bound (-1, 0, 1) when a direct solver saw it last: where it begins its search.
+	int getRowBound(int r) const { return m_bound[m_step.m_row[r].m_dof]; }
+	void setRowBound(int r, int bound) { m_bound[m_step.m_row[r].m_dof] = static_cast<signed char>(bound); }
+
 	/// What a commit brought about, a set of bits.
 	enum Outcome
 	{
@@ -239,6 +243,7 @@ private:
 	btElasticPlasticState m_state;
 	btElasticPlasticCapacity m_capacity;
 	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
+	signed char m_bound[BT_EP_DOF_COUNT] = {};
 	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
 	bool m_implicitRequested = false;
 	btScalar m_overlap = 0;                     ///< of the bodies, while they part
