@@ -105,33 +105,135 @@ void btElasticPlasticSystem::assemble()
 	matrix.setZero();
 	for (int i = 0; i < getNumBodies(); ++i)
 		memcpy(matrix.diagonal(i), &m_mass[36 * size_t(i)], 36 * sizeof(double));
-	for (const Row& row : m_rows)
+	m_changedBodies.clear();
+	for (Row& row : m_rows)
 	{
-		if (row.m_bound)
-			continue;
-		const double w = 1 / row.m_compliance;
-		const double *a = row.m_J, *b = row.m_J + 6;
-		const int from = row.m_isAngular ? 3 : 0;
-		if (row.m_bodyA >= 0)
-			addProduct(matrix.diagonal(row.m_bodyA), w, a, a, from);
-		if (row.m_bodyB >= 0)
-			addProduct(matrix.diagonal(row.m_bodyB), w, b, b, from);
-		if (row.m_edge < 0)
-			continue;
-		bool transposed;
-		double* block = matrix.offDiagonal(row.m_edge, transposed);
-		transposed ? addProduct(block, w, b, a, from) : addProduct(block, w, a, b, from);
+		const bool isIn = row.m_bound == 0;
+		if (isIn)
+			addToMatrix(row, 1 / row.m_compliance);
+		if (isIn != row.m_isInMatrix)
+			for (int body : {row.m_bodyA, row.m_bodyB})
+				if (body >= 0)
+					m_changedBodies.push_back(body);
+		row.m_isInMatrix = isIn;
 	}
 	m_matrixIsCurrent = true;
+	m_factorIsCurrent = false;
 }
 
+void btElasticPlasticSystem::addToMatrix(const Row& row, double weight)
+{
+	btElasticPlasticBlockMatrix& matrix = m_plan->m_matrix;
+	const double *a = row.m_J, *b = row.m_J + 6;
+	const int from = row.m_isAngular ? 3 : 0;
+	if (row.m_bodyA >= 0)
+		addProduct(matrix.diagonal(row.m_bodyA), weight, a, a, from);
+	if (row.m_bodyB >= 0)
+		addProduct(matrix.diagonal(row.m_bodyB), weight, b, b, from);
+	if (row.m_edge < 0)
+		return;
+	bool transposed;
+	double* block = matrix.offDiagonal(row.m_edge, transposed);
+	transposed ? addProduct(block, weight, b, a, from) : addProduct(block, weight, a, b, from);
+}
+
+/// Is a factor so much more expensive than a solution that iterating with an old one pays?
+bool btElasticPlasticSystem::isWorthKeeping() const
+{
+	const btElasticPlasticBlockFactor& factor = m_plan->m_factor;
+	return double(factor.getNumOperations()) > 8. * 144 * double(factor.getNumBlocks());
+}
+
+/// Where few bounds have changed since a factorisation of the same solve(), only what depends on them is done again.
 bool btElasticPlasticSystem::factorise()
 {
-	if (m_matrixIsCurrent)
-		return m_plan->m_factor.hasFactor();
-	assemble();
+	btElasticPlasticBlockFactor& factor = m_plan->m_factor;
 	++m_statistics.m_factorisations;
-	return m_plan->m_factor.factorise(m_plan->m_matrix);
+	m_factorIsCurrent = m_factorIsOfThisSolve && 8 * m_changedBodies.size() < size_t(getNumBodies())
+							? factor.factorise(m_plan->m_matrix, m_changedBodies.data(), int(m_changedBodies.size()))
+							: factor.factorise(m_plan->m_matrix);
+	m_factorIsOfThisSolve = m_factorIsCurrent;
+	return m_factorIsCurrent;
+}
+
+/// x = H^-1 x for the rows' present bounds.
+bool btElasticPlasticSystem::solveLinear(std::vector<double>& x)
+{
+	if (!m_matrixIsCurrent)
+		assemble();
+	if (!m_factorIsCurrent && !m_factorIsOfThisSolve && m_plan->m_factor.hasFactor() && m_maxIterations > 0 &&
+		isWorthKeeping())
+	{
+		if (m_plan->m_patience > 0)
+			--m_plan->m_patience;
+		else if (iterate(x))
+			return true;
+		else
+			m_plan->m_patience = 8;
+	}
+	if (!m_factorIsCurrent && !factorise())
+		return false;
+	m_plan->m_factor.solve(x.data());
+	++m_statistics.m_solutions;
+	return true;
+}
+
+namespace
+{
+double dot(const std::vector<double>& x, const std::vector<double>& y)
+{
+	double sum = 0;
+	for (size_t i = 0; i < x.size(); ++i)
+		sum += x[i] * y[i];
+	return sum;
+}
+}  // namespace
+
+/// Conjugate gradients, preconditioned with a factor that H has left behind a little. Leaves x as it was if it takes too long.
+bool btElasticPlasticSystem::iterate(std::vector<double>& x)
+{
+	const btElasticPlasticBlockMatrix& matrix = m_plan->m_matrix;
+	const btElasticPlasticBlockFactor& factor = m_plan->m_factor;
+	const size_t n = x.size();
+	const double enough = m_iterationTolerance * m_iterationTolerance * dot(x, x);
+	m_rest = x;
+	m_product.resize(n);
+	m_preconditioned = m_rest;
+	factor.solve(m_preconditioned.data());
+	++m_statistics.m_solutions;
+	m_search = m_preconditioned;
+	m_solution.assign(n, 0.);
+	double rz = dot(m_rest, m_preconditioned), before = dot(x, x);
+	for (int i = 0; i < m_maxIterations; ++i)
+	{
+		matrix.multiply(m_search.data(), m_product.data());
+		++m_statistics.m_iterations;
+		const double alpha = rz / dot(m_search, m_product);
+		double rest = 0;
+		for (size_t k = 0; k < n; ++k)
+		{
+			m_solution[k] += alpha * m_search[k];
+			m_rest[k] -= alpha * m_product[k];
+			rest += m_rest[k] * m_rest[k];
+		}
+		if (rest <= enough)
+		{
+			x.swap(m_solution);
+			return true;
+		}
+		// Give up when the way is too long: each iteration gains about what the last one did.
+		if (!(rest < before) || pow(rest / before, m_maxIterations - 1 - i) * rest > enough)
+			return false;
+		before = rest;
+		m_preconditioned = m_rest;
+		factor.solve(m_preconditioned.data());
+		++m_statistics.m_solutions;
+		const double next = dot(m_rest, m_preconditioned);
+		for (size_t k = 0; k < n; ++k)
+			m_search[k] = m_preconditioned[k] + next / rz * m_search[k];
+		rz = next;
+	}
+	return false;
 }
 
 // ---- the function
@@ -219,11 +321,7 @@ bool btElasticPlasticSystem::guess()
 			  row.m_bound == 0  ? row.m_target / row.m_compliance + row.m_multiplier
 			  : row.m_bound > 0 ? row.m_upper
 								: row.m_lower);
-	if (!factorise())
-		return false;
-	m_plan->m_factor.solve(m_velocity.data());
-	++m_statistics.m_solutions;
-	return true;
+	return solveLinear(m_velocity);
 }
 
 bool btElasticPlasticSystem::newton()
@@ -232,11 +330,9 @@ bool btElasticPlasticSystem::newton()
 	// With the bounds that were guessed, dv solves a linear problem, exactly.
 	for (int step = 0; m_boundsChanged; ++step)
 	{
-		if (step == m_maxNewtonSteps || !factorise())
-			return false;
 		m_step = m_residual;
-		m_plan->m_factor.solve(m_step.data());
-		++m_statistics.m_solutions;
+		if (step == m_maxNewtonSteps || !solveLinear(m_step))
+			return false;
 		++m_statistics.m_newtonSteps;
 		double slope = 0;
 		for (size_t i = 0; i < m_step.size(); ++i)
@@ -296,7 +392,7 @@ bool btElasticPlasticSystem::solve()
 	m_statistics.m_rows += getNumRows();
 	m_plan = &findPlan();
 	m_plan->m_lastUse = m_statistics.m_systems;
-	m_matrixIsCurrent = false;
+	m_matrixIsCurrent = m_factorIsCurrent = m_factorIsOfThisSolve = false;
 	m_velocity.assign(6 * size_t(getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());
 

@@ -58,6 +58,7 @@ public:
 		double m_friction = 0;     ///< friction: coefficient
 		double m_frictionMax = 0;  ///< friction: greatest bound, 0: none
 		signed char m_bound = 0;  ///< -1 at the lower, 1 at the upper bound, 0 between; before solve(): the first guess
+		bool m_isInMatrix = false;  ///< set by solve()
 		bool m_isContact = false;
 		bool m_isAngular = false;  ///< has no linear part
 	};
@@ -70,7 +71,8 @@ public:
 		long long m_newtonSteps = 0;
 		long long m_analyses = 0;  ///< of the graph
 		long long m_factorisations = 0;
-		long long m_solutions = 0;  ///< with a factor
+		long long m_solutions = 0;   ///< with a factor
+		long long m_iterations = 0;  ///< of conjugate gradients with the factor of an earlier step
 		long long m_contactLoops = 0;
 		long long m_failures = 0;  ///< no convergence or no numbers: the caller's fallback took over
 	};
@@ -98,6 +100,10 @@ public:
 	const Statistics& getStatistics() const { return m_statistics; }
 	void resetStatistics() { m_statistics = Statistics(); }
 
+	/// A large system's factor is kept while a few iterations with it are cheaper than a new one. 0: never
+	int m_maxIterations = 8;
+	double m_iterationTolerance = 1e-11;  ///< of the residual momentum, relative to the right side
+
 	/// Longest search, and how exactly contacts are solved.
 	int m_maxNewtonSteps = 50;
 	int m_maxContactLoops = 20;
@@ -112,11 +118,16 @@ private:
 		btElasticPlasticBlockMatrix m_matrix;
 		btElasticPlasticBlockFactor m_factor;
 		long long m_lastUse = 0;
+		int m_patience = 0;  // solutions for which iterating with an old factor is not tried again
 	};
 
 	Plan& findPlan();
 	void assemble();
+	void addToMatrix(const Row& row, double weight);
 	bool factorise();
+	bool solveLinear(std::vector<double>& x);
+	bool iterate(std::vector<double>& x);
+	bool isWorthKeeping() const;
 	void multiplyMass(const std::vector<double>& x, std::vector<double>& y) const;
 	double along(const Row& row, const std::vector<double>& velocity) const;
 	void addTo(std::vector<double>& momentum, const Row& row, double impulse) const;
@@ -132,11 +143,14 @@ private:
 	Plan* m_plan = nullptr;
 	bool m_boundsChanged = false;    // by the last evaluate()
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
-	std::vector<double> m_velocity;  // dv
-	std::vector<double> m_residual;  // -gradient of (2) at dv
+	bool m_factorIsCurrent = false;  // and the factor to H
+	bool m_factorIsOfThisSolve = false;
+	std::vector<int> m_changedBodies;  // since the last assembly
+	std::vector<double> m_velocity;    // dv
+	std::vector<double> m_residual;    // -gradient of (2) at dv
 	std::vector<double> m_step;
 	std::vector<double> m_trial;
-	std::vector<double> m_work;
+	std::vector<double> m_solution, m_search, m_product, m_preconditioned, m_rest;  // of conjugate gradients
 	Statistics m_statistics;
 };
 
