@@ -49,8 +49,7 @@ bool btElasticPlasticAction::addJoint(btElasticPlasticJoint* joint)
 	if (joint->m_action)
 		joint->m_action->removeJoint(joint);
 	joint->m_action = this;
-	const Entry entry = {joint, nullptr, false};
-	m_joints.push_back(entry);
+	appendWhole(joint);
 	return true;
 }
 
@@ -72,18 +71,40 @@ void removeIf(btAlignedObjectArray<T>& array, Predicate predicate)
 }
 }  // namespace
 
+void btElasticPlasticAction::appendWhole(btElasticPlasticJoint* joint)
+{
+	const Entry entry = {joint, nullptr, false};
+	joint->m_entry = m_joints.size();
+	m_joints.push_back(entry);
+}
+
 void btElasticPlasticAction::removeJoint(btElasticPlasticJoint* joint)
 {
 	if (joint->m_action != this)
 		return;
 	joint->m_action = nullptr;
 	endParting(*joint);
-	const auto isIt = [joint](const Entry& e) { return e.m_joint == joint; };
-	removeIf(m_joints, isIt);
-	removeIf(m_broken, isIt);
+	if (joint->m_entry < m_joints.size() && m_joints[joint->m_entry].m_joint == joint)
+	{
+		// Closing the gap waits: a world of 20000 joints may be taken down one by one.
+		m_joints[joint->m_entry].m_joint = nullptr;
+		m_hasGaps = true;
+	}
+	else
+		removeIf(m_broken, [joint](const Entry& e) { return e.m_joint == joint; });
 	for (int i = m_nextEvent; i < m_events.size(); ++i)
 		if (m_events[i].m_joint == joint)
 			m_events[i].m_joint = nullptr;
+}
+
+void btElasticPlasticAction::closeGaps()
+{
+	if (!m_hasGaps)
+		return;
+	removeIf(m_joints, [](const Entry& e) { return !e.m_joint; });
+	for (int i = 0; i < m_joints.size(); ++i)
+		m_joints[i].m_joint->m_entry = i;
+	m_hasGaps = false;
 }
 
 void btElasticPlasticAction::removeBody(btDynamicsWorld& world, btRigidBody& body)
@@ -114,8 +135,7 @@ bool btElasticPlasticAction::repair(btElasticPlasticJoint* joint)
 		endParting(*joint);
 		joint->resetState();
 		entry.m_world->addConstraint(&joint->getConstraint(), entry.m_disableCollisions);
-		const Entry whole = {joint, nullptr, false};
-		m_joints.push_back(whole);
+		appendWhole(joint);
 		joint->getConstraint().getRigidBodyA().activate();
 		joint->getConstraint().getRigidBodyB().activate();
 		return true;
@@ -141,6 +161,7 @@ void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar time
 	m_time += timeStep;
 	// Actions live in dynamics worlds only.
 	btDynamicsWorld& dynamics = *static_cast<btDynamicsWorld*>(world);
+	closeGaps();
 	const int brokenBefore = m_broken.size();
 	for (int i = 0; i < m_joints.size(); ++i)
 	{
@@ -164,7 +185,12 @@ void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar time
 		m_broken[i].m_disableCollisions = removeBroken(dynamics, *m_broken[i].m_joint);
 	}
 	if (m_broken.size() > brokenBefore)
-		removeIf(m_joints, [](const Entry& e) { return e.m_joint->isBroken(); });
+	{
+		for (int i = brokenBefore; i < m_broken.size(); ++i)
+			m_joints[m_broken[i].m_joint->m_entry].m_joint = nullptr;
+		m_hasGaps = true;
+		closeGaps();
+	}
 	endPartings();
 	deliver();
 }

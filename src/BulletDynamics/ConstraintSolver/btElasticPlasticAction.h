@@ -50,12 +50,17 @@ public:
 	/// \return false if the joint is not broken or not known here.
 	bool repair(btElasticPlasticJoint* joint);
 
-	int getNumJoints() const { return m_joints.size() + m_broken.size(); }
+	int getNumJoints()
+	{
+		closeGaps();
+		return m_joints.size() + m_broken.size();
+	}
 	int getNumBroken() const { return m_broken.size(); }
 
 	/// Joints in the order they were added; broken ones come last, in the order they broke.
-	btElasticPlasticJoint* getJoint(int index) const
+	btElasticPlasticJoint* getJoint(int index)
 	{
+		closeGaps();
 		return index < m_joints.size() ? m_joints[index].m_joint : m_broken[index - m_joints.size()].m_joint;
 	}
 
@@ -84,6 +89,8 @@ private:
 
 	void report(btElasticPlasticEventType type, btElasticPlasticJoint& joint);
 	bool removeBroken(btDynamicsWorld& world, btElasticPlasticJoint& joint);
+	void appendWhole(btElasticPlasticJoint* joint);
+	void closeGaps();
 	void endPartings();
 	void endParting(btElasticPlasticJoint& joint);
 	void deliver();
@@ -94,7 +101,8 @@ private:
 	int m_nextEvent = 0;
 	btElasticPlasticListener* m_listener = nullptr;
 	double m_time = 0;
-	int m_parting = 0;  ///< broken joints whose bodies still overlap
+	bool m_hasGaps = false;  ///< entries of m_joints without a joint
+	int m_parting = 0;       ///< broken joints whose bodies still overlap
 };
 
 #endif  // BT_ELASTIC_PLASTIC_ACTION_H

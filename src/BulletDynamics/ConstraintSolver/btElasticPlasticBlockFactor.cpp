@@ -13,7 +13,6 @@ subject to the following restrictions:
 3. This notice may not be removed or altered from any source distribution.
 */
 
-
 #include "btElasticPlasticBlockFactor.h"
 
 #include <limits.h>
@@ -209,10 +208,7 @@ void Panels::sortPanels(const EliminationTree& tree, const std::vector<int>& pan
 }
 }  // namespace
 
-btElasticPlasticBlockFactor::btElasticPlasticBlockFactor() : m_maxVectorWidth(INT_MAX)
-{
-	selectKernel();
-}
+btElasticPlasticBlockFactor::btElasticPlasticBlockFactor() : m_maxVectorWidth(INT_MAX) { selectKernel(); }
 
 void btElasticPlasticBlockFactor::setMaxVectorWidth(int width)
 {
@@ -308,10 +304,12 @@ void btElasticPlasticBlockFactor::planUpdates()
 		m_panels[p + 1].m_updates = end[p + 1] += end[p];
 	m_updates.assign(end[numPanels], btElasticPlasticBlockUpdate());
 	std::vector<int> firstRow(m_updates.size());
-	forTargets([&](int source, int target, int k) {
-		m_updates[end[target]].m_source = source;
-		firstRow[end[target]++] = k;
-	});
+	forTargets(
+		[&](int source, int target, int k)
+		{
+			m_updates[end[target]].m_source = source;
+			firstRow[end[target]++] = k;
+		});
 
 	m_runs.clear();
 	std::vector<int> row(m_bodies.size());  // in the target
@@ -372,18 +370,20 @@ void btElasticPlasticBlockFactor::planLoads(const btElasticPlasticBlockMatrix& m
 	for (int p = 0; p < numPanels; ++p)
 		m_panels[p + 1].m_loads = end[p + 1] += end[p];
 	m_loads.resize(end[numPanels]);
-	forBlocks([&](int block, int a, int b, bool transposed) {
-		const int p = m_panelOf[a];
-		const btElasticPlasticBlockPanel& panel = m_panels[p];
-		int row = column[b] - panel.m_first;
-		if (row >= panel.m_numColumns)
+	forBlocks(
+		[&](int block, int a, int b, bool transposed)
 		{
-			const auto begin = m_below.begin() + panel.m_below;
-			row = panel.m_numColumns +
-				  int(std::lower_bound(begin, m_below.begin() + m_panels[p + 1].m_below, column[b]) - begin);
-		}
-		m_loads[end[p]++] = {block, row, column[a] - panel.m_first, transposed};
-	});
+			const int p = m_panelOf[a];
+			const btElasticPlasticBlockPanel& panel = m_panels[p];
+			int row = column[b] - panel.m_first;
+			if (row >= panel.m_numColumns)
+			{
+				const auto begin = m_below.begin() + panel.m_below;
+				row = panel.m_numColumns +
+					  int(std::lower_bound(begin, m_below.begin() + m_panels[p + 1].m_below, column[b]) - begin);
+			}
+			m_loads[end[p]++] = {block, row, column[a] - panel.m_first, transposed};
+		});
 }
 
 btElasticPlasticBlockStructure btElasticPlasticBlockFactor::structure() const
@@ -394,8 +394,8 @@ btElasticPlasticBlockStructure btElasticPlasticBlockFactor::structure() const
 bool btElasticPlasticBlockFactor::factorise(const btElasticPlasticBlockMatrix& matrix)
 {
 	btAssert(matrix.getNumBodies() == getNumBodies());
-	m_hasFactor = getNumBodies() == 0 || m_kernel->m_factorise(structure(), matrix.getValues(), nullptr, 0, m_values.data(),
-															  m_inverse.data());
+	m_hasFactor = getNumBodies() == 0 ||
+				  m_kernel->m_factorise(structure(), matrix.getValues(), nullptr, 0, m_values.data(), m_inverse.data());
 	return m_hasFactor;
 }
 
@@ -438,6 +438,6 @@ int64_t btElasticPlasticBlockFactor::getMemory() const
 {
 	const auto bytes = [](const auto& v) { return int64_t(v.capacity() * sizeof(v[0])); };
 	return bytes(m_bodies) + bytes(m_panelOf) + bytes(m_parent) + bytes(m_panels) + bytes(m_updates) + bytes(m_runs) +
-		   bytes(m_loads) + bytes(m_below) + bytes(m_values) + bytes(m_inverse) + bytes(m_isChanged) + bytes(m_changed) +
-		   bytes(m_work);
+		   bytes(m_loads) + bytes(m_below) + bytes(m_values) + bytes(m_inverse) + bytes(m_isChanged) +
+		   bytes(m_changed) + bytes(m_work);
 }

@@ -13,7 +13,6 @@ subject to the following restrictions:
 3. This notice may not be removed or altered from any source distribution.
 */
 
-
 #ifndef BT_ELASTIC_PLASTIC_BLOCK_KERNEL_H
 #define BT_ELASTIC_PLASTIC_BLOCK_KERNEL_H
 

@@ -13,7 +13,6 @@ subject to the following restrictions:
 3. This notice may not be removed or altered from any source distribution.
 */
 
-
 // The kernels for one instruction set; included by btElasticPlasticBlockKernel.cpp once for each, inside a namespace that has
 //   Vector           a vector of Width doubles, with the operators of arithmetic
 //   load, store      at any address
@@ -27,17 +26,19 @@ subject to the following restrictions:
 /// C -= A B^T for a tile: A has Rows vectors of rows, B has Columns rows, depth is the number of columns of both. The tile's
 /// last vector holds numLast rows.
 template <int Rows, int Columns, int Depth>
-BT_KERNEL inline void subtractTile(const double* a, const double* b, size_t stride, int depth, double* c, size_t strideC,
-								   int numLast)
+BT_KERNEL inline void subtractTile(const double* a, const double* b, size_t stride, int depth, double* c,
+								   size_t strideC, int numLast)
 {
 	Vector sum[Columns][Rows];
 	if (Depth)
 		depth = Depth;
 	BT_UNROLL(8)
 	for (int k = 0; k < Columns; ++k)
+	{
 		BT_UNROLL(8)
 		for (int r = 0; r < Rows; ++r)
 			sum[k][r] = load(c + k * strideC + r * Width);
+	}
 	for (int p = 0; p < depth; ++p, a += stride, b += stride)
 	{
 		Vector rows[Rows];
@@ -64,8 +65,8 @@ BT_KERNEL inline void subtractTile(const double* a, const double* b, size_t stri
 }
 
 template <int Rows, int Depth>
-BT_KERNEL inline void subtractTiles(const double* a, const double* b, size_t stride, int depth, double* c, size_t strideC,
-									int numLast)
+BT_KERNEL inline void subtractTiles(const double* a, const double* b, size_t stride, int depth, double* c,
+									size_t strideC, int numLast)
 {
 	BT_UNROLL(2)
 	for (int k = 0; k < 6; k += TileColumns)
@@ -92,8 +93,8 @@ BT_KERNEL inline void subtractColumn(int rows, const double* a, const double* b,
 }
 
 template <int Depth>
-BT_KERNEL inline void applyUpdate(const btElasticPlasticBlockRun* runs, int numColumnRuns, int numRuns, const double* source,
-								  size_t stride, int depth, double* target, size_t strideTarget)
+BT_KERNEL inline void applyUpdate(const btElasticPlasticBlockRun* runs, int numColumnRuns, int numRuns,
+								  const double* source, size_t stride, int depth, double* target, size_t strideTarget)
 {
 	for (int i = 0; i < numColumnRuns; ++i)
 		for (int column = 0; column < runs[i].m_length; ++column)
@@ -116,9 +117,11 @@ BT_KERNEL inline bool factoriseDiagonal(double* block, size_t stride, double* in
 	double l[6][6];
 	BT_UNROLL(6)
 	for (int c = 0; c < 6; ++c)
+	{
 		BT_UNROLL(6)
 		for (int r = c; r < 6; ++r)
 			l[c][r] = block[c * stride + r];
+	}
 	bool positive = true;
 	BT_UNROLL(6)
 	for (int c = 0; c < 6; ++c)
@@ -157,9 +160,11 @@ BT_KERNEL inline void solveTile(const double* diagonal, const double* inverse, d
 	Vector x[6][Rows];
 	BT_UNROLL(6)
 	for (int c = 0; c < 6; ++c)
+	{
 		BT_UNROLL(8)
 		for (int r = 0; r < Rows; ++r)
 			x[c][r] = load(a + c * stride + r * Width);
+	}
 	BT_UNROLL(6)
 	for (int c = 0; c < 6; ++c)
 	{
@@ -193,8 +198,8 @@ BT_KERNEL inline void solveBelow(int rows, const double* diagonal, const double*
 }
 
 /// Copies the matrix' blocks into an empty panel, and pivots' limits into inverse.
-BT_KERNEL inline void loadPanel(const btElasticPlasticBlockLoad* loads, int numLoads, const double* matrix, double* panel,
-								size_t stride, double* inverse)
+BT_KERNEL inline void loadPanel(const btElasticPlasticBlockLoad* loads, int numLoads, const double* matrix,
+								double* panel, size_t stride, double* inverse)
 {
 	for (int i = 0; i < numLoads; ++i)
 	{
@@ -203,20 +208,25 @@ BT_KERNEL inline void loadPanel(const btElasticPlasticBlockLoad* loads, int numL
 		if (loads[i].m_row == loads[i].m_column)
 			for (int c = 0; c < 6; ++c)
 				inverse[6 * loads[i].m_column + c] = LeastPivot * from[7 * c];
+		// Unrolled, it would run out of registers for its addresses.
 		if (loads[i].m_transposed)
+		{
 			BT_UNROLL_NOT
 			for (int c = 0; c < 6; ++c, ++from, to += stride)
 				for (int r = 0; r < 6; ++r)
 					to[r] = from[6 * r];
+		}
 		else
+		{
 			BT_UNROLL_NOT
 			for (int c = 0; c < 6; ++c, from += 6, to += stride)
 				memcpy(to, from, 6 * sizeof(double));
+		}
 	}
 }
 
-BT_KERNEL bool factorise(const btElasticPlasticBlockStructure& s, const double* matrix, const int* panels, int numPanels,
-						 double* values, double* inverse)
+BT_KERNEL bool factorise(const btElasticPlasticBlockStructure& s, const double* matrix, const int* panels,
+						 int numPanels, double* values, double* inverse)
 {
 	if (!panels)
 		numPanels = s.m_numPanels;
@@ -230,13 +240,15 @@ BT_KERNEL bool factorise(const btElasticPlasticBlockStructure& s, const double* 
 		memset(p, 0, sizeof(double) * stride * 6 * panel.m_numColumns);
 		loadPanel(s.m_loads + panel.m_loads, next.m_loads - panel.m_loads, matrix, p, stride, inversePanel);
 
-		for (const btElasticPlasticBlockUpdate* u = s.m_updates + panel.m_updates; u < s.m_updates + next.m_updates; ++u)
+		for (const btElasticPlasticBlockUpdate* u = s.m_updates + panel.m_updates; u < s.m_updates + next.m_updates;
+			 ++u)
 		{
 			const btElasticPlasticBlockPanel& source = s.m_panels[u->m_source];
 			const size_t strideSource = 6 * size_t(source.m_numRows);
 			const btElasticPlasticBlockRun* runs = s.m_runs + u->m_runs;
 			if (source.m_numColumns == 1)
-				applyUpdate<6>(runs, u->m_numColumnRuns, u->m_numRuns, values + source.m_values, strideSource, 6, p, stride);
+				applyUpdate<6>(runs, u->m_numColumnRuns, u->m_numRuns, values + source.m_values, strideSource, 6, p,
+							   stride);
 			else
 				applyUpdate<0>(runs, u->m_numColumnRuns, u->m_numRuns, values + source.m_values, strideSource,
 							   6 * source.m_numColumns, p, stride);

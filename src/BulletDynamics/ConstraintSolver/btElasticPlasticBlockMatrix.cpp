@@ -13,7 +13,6 @@ subject to the following restrictions:
 3. This notice may not be removed or altered from any source distribution.
 */
 
-
 #include "btElasticPlasticBlockMatrix.h"
 
 #include <algorithm>
@@ -62,10 +61,7 @@ void btElasticPlasticBlockMatrix::setPattern(int numBodies, const int (*edges)[2
 	m_values.assign(36 * (size_t(numBodies) + m_lower.size()), 0);
 }
 
-void btElasticPlasticBlockMatrix::setZero()
-{
-	std::fill(m_values.begin(), m_values.end(), 0.0);
-}
+void btElasticPlasticBlockMatrix::setZero() { std::fill(m_values.begin(), m_values.end(), 0.0); }
 
 void btElasticPlasticBlockMatrix::multiply(const double* x, double* y) const
 {

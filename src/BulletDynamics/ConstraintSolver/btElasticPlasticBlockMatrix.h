@@ -13,7 +13,6 @@ subject to the following restrictions:
 3. This notice may not be removed or altered from any source distribution.
 */
 
-
 #ifndef BT_ELASTIC_PLASTIC_BLOCK_MATRIX_H
 #define BT_ELASTIC_PLASTIC_BLOCK_MATRIX_H
 
@@ -63,7 +62,7 @@ public:
 
 private:
 	int m_numBodies = 0;
-	std::vector<int> m_lower;   // per pair
+	std::vector<int> m_lower;  // per pair
 	std::vector<int> m_higher;
 	std::vector<int> m_edgePair;  // per edge
 	std::vector<char> m_edgeTransposed;

@@ -109,6 +109,7 @@ public:
 	void printFault(char* text, int capacity) const;
 
 	const btElasticPlasticState& getState() const { return m_state; }
+	/// Does not put a joint that has broken since back into the world: btElasticPlasticAction::repair does, then set the state.
 	void setState(const btElasticPlasticState& state) { m_state = state; }
 
 	btTypedConstraint& getConstraint() { return m_constraint; }
@@ -250,6 +251,7 @@ private:
 	btDynamicsWorld* m_partingWorld = nullptr;  ///< set while the joint is broken and its bodies have not parted
 	btElasticPlasticFault m_fault;
 	btElasticPlasticAction* m_action = nullptr;  ///< that knows this joint
+	int m_entry = 0;                             ///< in its books
 	btJointFeedback m_feedback;
 	btAlignedObjectArray<btVector3>
 		m_dual;  ///< two vectors a row: impulse = force . first + torque . second; empty: the axes do
