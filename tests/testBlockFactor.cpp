@@ -319,9 +319,9 @@ TEST(BlockFactor, RefusesWhatIsNotPositiveDefinite)
 
 					const double good = matrix.diagonal(body)[7 * 4];
 					// Small but positive is zero only where neighbours take more than it has.
-					if (bad != 1e-17 || std::any_of(graph.m_edges.begin(), graph.m_edges.end(), [body = body](const auto& e) {
-							return e[0] == body || e[1] == body;
-						}))
+					if (bad != 1e-17 ||
+						std::any_of(graph.m_edges.begin(), graph.m_edges.end(),
+									[body = body](const auto& e) { return e[0] == body || e[1] == body; }))
 					{
 						matrix.diagonal(body)[7 * 4] = bad;
 						EXPECT_FALSE(body % 2 ? factor.factorise(matrix) : factor.factorise(matrix, &body, 1));
@@ -487,7 +487,8 @@ TEST(BlockFactor, IsAPreconditionerWhenStale)
 
 	const Values x = randomValues(graph.m_numBodies);
 	Values residual = product(matrix, x), solution(x.size()), z = solved(factor, residual), direction = z;
-	const auto dot = [](const Values& a, const Values& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); };
+	const auto dot = [](const Values& a, const Values& b)
+	{ return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); };
 	for (int i = 0; i < 8; ++i)
 	{
 		const double before = dot(residual, z);
@@ -508,7 +509,8 @@ TEST(BlockFactor, IsAPreconditionerWhenStale)
 
 TEST(BlockFactor, CostOfTreesIsLinear)
 {
-	for (const BlockGraph& graph : {ep::chains(1, 20000), ep::randomTree(20000, 11), ep::star(20000), ep::grid(2, 1, 10000)})
+	for (const BlockGraph& graph :
+		 {ep::chains(1, 20000), ep::randomTree(20000, 11), ep::star(20000), ep::grid(2, 1, 10000)})
 	{
 		const Matrix matrix = matrixOf(graph);
 		Factor factor;
