@@ -12,7 +12,8 @@ namespace
 {
 using namespace ep;
 
-const btScalar NOT_A_NUMBER = std::numeric_limits<btScalar>::quiet_NaN(), INFINITE = std::numeric_limits<btScalar>::infinity();
+const btScalar NOT_A_NUMBER = std::numeric_limits<btScalar>::quiet_NaN(),
+			   INFINITE = std::numeric_limits<btScalar>::infinity();
 
 struct Refusals : btElasticPlasticListener
 {
@@ -33,14 +34,16 @@ struct Scene
 	{
 		m_world.action().setListener(&m_refusals);
 		m_support = m_world.body(0, m_world.box(btVector3(1, 1, 1)), btTransform::getIdentity(), false);
-		m_body = m_world.body(mass, m_world.box(btVector3(1, 1, 1)), btTransform(btQuaternion(0, 0, 0, 1), btVector3(1, 0, 0)), false);
+		m_body = m_world.body(mass, m_world.box(btVector3(1, 1, 1)),
+							  btTransform(btQuaternion(0, 0, 0, 1), btVector3(1, 0, 0)), false);
 	}
 
 	/// \return the refusal; the world is stepped after it
 	std::string join(const btElasticPlasticCapacity& capacity, btRigidBody* other = nullptr)
 	{
-		auto* constraint = new btElasticPlastic6DofSpring2Constraint(other ? *other : *m_support, *m_body, btTransform::getIdentity(),
-																	 btTransform(btQuaternion(0, 0, 0, 1), btVector3(-1, 0, 0)));
+		auto* constraint =
+			new btElasticPlastic6DofSpring2Constraint(other ? *other : *m_support, *m_body, btTransform::getIdentity(),
+													  btTransform(btQuaternion(0, 0, 0, 1), btVector3(-1, 0, 0)));
 		m_world.add(constraint);
 		constraint->setName("gate hinge");
 		EXPECT_FALSE(constraint->setCapacity(capacity));
@@ -97,7 +100,11 @@ TEST(BadInput, YieldAndDuctility)
 	{
 		btElasticPlasticCapacity capacity = good();
 		capacity.m_yield[BT_EP_TORSION] = value;
-		expectNames(Scene().join(capacity), "yield moment", value < 0 ? "-1" : value > 0 ? "inf" : "nan", "finite and not negative");
+		expectNames(Scene().join(capacity), "yield moment",
+					value < 0   ? "-1"
+					: value > 0 ? "inf"
+								: "nan",
+					"finite and not negative");
 		capacity = good();
 		capacity.m_ductility[BT_EP_AXIAL] = value;
 		expectNames(Scene().join(capacity), "ductility", "is", "finite and greater than 0");
@@ -114,29 +121,38 @@ TEST(BadInput, SectionsAndLengths)
 {
 	typedef btElasticPlasticSection Section;
 	const btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel();
-	const auto from = [&](const Section& section) { return btElasticPlasticCapacity::fromMember(steel, section, 1, 1); };
+	const auto from = [&](const Section& section)
+	{ return btElasticPlasticCapacity::fromMember(steel, section, 1, 1); };
 	for (btScalar bad : {NOT_A_NUMBER, INFINITE, btScalar(-1), btScalar(0)})
 	{
 		expectNames(Scene().join(from(Section::rectangle(bad, 1))), "section width", "is", "finite and greater than 0");
-		expectNames(Scene().join(from(Section::rectangle(1, bad))), "section height", "is", "finite and greater than 0");
+		expectNames(Scene().join(from(Section::rectangle(1, bad))), "section height", "is",
+					"finite and greater than 0");
 		expectNames(Scene().join(from(Section::circle(bad))), "section radius", "is", "finite and greater than 0");
 		expectNames(Scene().join(from(Section::hollowCircle(1, bad))), "section wall", "is", "greater than 0");
 		expectNames(Scene().join(from(Section::hollowRectangle(1, 1, bad))), "section wall", "is", "greater than 0");
-		expectNames(Scene().join(from(Section::iSection(1, 1, bad, btScalar(0.1)))), "section web", "is", "greater than 0");
-		expectNames(Scene().join(from(Section::iSection(1, 1, btScalar(0.1), bad))), "section flange", "is", "greater than 0");
+		expectNames(Scene().join(from(Section::iSection(1, 1, bad, btScalar(0.1)))), "section web", "is",
+					"greater than 0");
+		expectNames(Scene().join(from(Section::iSection(1, 1, btScalar(0.1), bad))), "section flange", "is",
+					"greater than 0");
 	}
 	// Two wrongs do not make a right: the product of negative sides is positive.
 	expectNames(Scene().join(from(Section::rectangle(-1, -1))), "section width", "-1", "greater than 0");
 	expectNames(Scene().join(from(Section::hollowCircle(1, 2))), "section wall", "is 2", "less than the radius");
-	expectNames(Scene().join(from(Section::hollowRectangle(1, 2, btScalar(0.5)))), "section wall", "0.5", "less than half");
+	expectNames(Scene().join(from(Section::hollowRectangle(1, 2, btScalar(0.5)))), "section wall", "0.5",
+				"less than half");
 	expectNames(Scene().join(from(Section())), "section area", "is 0", "greater than 0");
 	for (btScalar bad : {NOT_A_NUMBER, INFINITE, btScalar(-1)})
 	{
-		expectNames(Scene().join(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), bad, 1)), "length of the first part", "is", "finite");
-		expectNames(Scene().join(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), 1, bad)), "length of the second part", "is", "finite");
-		expectNames(Scene().join(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), 1, 1, bad)), "gauge length", "is", "finite");
+		expectNames(Scene().join(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), bad, 1)),
+					"length of the first part", "is", "finite");
+		expectNames(Scene().join(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), 1, bad)),
+					"length of the second part", "is", "finite");
+		expectNames(Scene().join(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), 1, 1, bad)),
+					"gauge length", "is", "finite");
 	}
-	expectNames(Scene().join(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), 0, 0)), "sum of the parts' lengths", "is 0", "greater than 0");
+	expectNames(Scene().join(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), 0, 0)),
+				"sum of the parts' lengths", "is 0", "greater than 0");
 }
 
 TEST(BadInput, Materials)
@@ -157,14 +173,16 @@ TEST(BadInput, Materials)
 		{
 			btElasticPlasticMaterial material = btElasticPlasticMaterial::steel();
 			material.*field.m_field = bad;
-			expectNames(Scene().join(btElasticPlasticCapacity::fromMember(material, section, 1, 1)), field.m_name, "is", "greater than 0");
+			expectNames(Scene().join(btElasticPlasticCapacity::fromMember(material, section, 1, 1)), field.m_name, "is",
+						"greater than 0");
 		}
 	}
 	for (btScalar bad : {NOT_A_NUMBER, INFINITE, btScalar(-1), btScalar(0.6)})
 	{
 		btElasticPlasticMaterial material = btElasticPlasticMaterial::steel();
 		material.m_poissonsRatio = bad;
-		expectNames(Scene().join(btElasticPlasticCapacity::fromMember(material, section, 1, 1)), "Poisson's ratio", "is", "greater than -1");
+		expectNames(Scene().join(btElasticPlasticCapacity::fromMember(material, section, 1, 1)), "Poisson's ratio",
+					"is", "greater than -1");
 	}
 }
 
@@ -179,7 +197,8 @@ TEST(BadInput, Bodies)
 	btElasticPlasticCapacity linear = good();
 	for (int i = 3; i < BT_EP_DOF_COUNT; ++i)
 		linear.clear(i);
-	auto* constraint = new btElasticPlastic6DofSpring2Constraint(*scene.m_support, *scene.m_body, btTransform::getIdentity(), btTransform::getIdentity());
+	auto* constraint = new btElasticPlastic6DofSpring2Constraint(
+		*scene.m_support, *scene.m_body, btTransform::getIdentity(), btTransform::getIdentity());
 	scene.m_world.add(constraint);
 	EXPECT_TRUE(constraint->setCapacity(linear));
 }
@@ -187,8 +206,9 @@ TEST(BadInput, Bodies)
 TEST(BadInput, ARefusedJointCanBeMadeGood)
 {
 	Scene scene;
-	auto* constraint = new btElasticPlastic6DofSpring2Constraint(*scene.m_support, *scene.m_body, btTransform::getIdentity(),
-																 btTransform(btQuaternion(0, 0, 0, 1), btVector3(-1, 0, 0)));
+	auto* constraint =
+		new btElasticPlastic6DofSpring2Constraint(*scene.m_support, *scene.m_body, btTransform::getIdentity(),
+												  btTransform(btQuaternion(0, 0, 0, 1), btVector3(-1, 0, 0)));
 	scene.m_world.add(constraint);
 	btElasticPlasticCapacity capacity = good();
 	capacity.m_yield[0] = NOT_A_NUMBER;
@@ -208,7 +228,8 @@ TEST(BadInput, ANanBodyDoesNotTakeItsNeighboursAlong)
 	{
 		bodies[i] = world.body(1, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i), 0, 0)), false);
 		if (i > 0)
-			world.joint(*bodies[i - 1], *bodies[i], btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i - 0.5), 0, 0)), good());
+			world.joint(*bodies[i - 1], *bodies[i],
+						btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i - 0.5), 0, 0)), good());
 	}
 	world.step(btScalar(1) / 60);
 	btTransform broken = bodies[3]->getCenterOfMassTransform();
@@ -218,6 +239,36 @@ TEST(BadInput, ANanBodyDoesNotTakeItsNeighboursAlong)
 		world.step(btScalar(1) / 60);
 	for (int i = 0; i < 3; ++i)
 		EXPECT_TRUE(btElasticPlasticIsFinite(bodies[i]->getCenterOfMassPosition().length())) << i;
+}
+
+TEST(BadInput, AJointWithoutBookkeepingIsRefused)
+{
+	for (bool known : {false, true})
+	{
+		Scene scene;
+		scene.m_world.bullet().removeAction(&scene.m_world.action());
+		auto* constraint =
+			new btElasticPlastic6DofSpring2Constraint(*scene.m_support, *scene.m_body, btTransform::getIdentity(),
+													  btTransform(btQuaternion(0, 0, 0, 1), btVector3(-1, 0, 0)));
+		scene.m_world.add(constraint);
+		constraint->setName("gate hinge");
+		EXPECT_TRUE(constraint->setCapacity(good()));
+		if (known)
+		{
+			EXPECT_TRUE(scene.m_world.action().addJoint(constraint));
+		}
+		testing::internal::CaptureStderr();
+		for (int i = 0; i < 10; ++i)
+			scene.m_world.step(btScalar(1) / 60);
+		expectNames(testing::internal::GetCapturedStderr(), "number of", "is 0", known ? "addAction" : "addJoint");
+		EXPECT_TRUE(bool(constraint->fault()));
+		// Mended, it works.
+		if (known)
+			scene.m_world.bullet().addAction(&scene.m_world.action());
+		EXPECT_TRUE(scene.m_world.action().addJoint(constraint));
+		EXPECT_FALSE(constraint->fault());
+		scene.m_world.bullet().removeAction(&scene.m_world.action());
+	}
 }
 
 TEST(BadInput, IsPrintedWithoutAListener)
@@ -231,6 +282,7 @@ TEST(BadInput, IsPrintedWithoutAListener)
 	constraint->setCapacity(capacity);
 	testing::internal::CaptureStderr();
 	EXPECT_FALSE(world.action().addJoint(constraint));
-	EXPECT_NE(std::string::npos, testing::internal::GetCapturedStderr().find("stiffness [N/m] of degree of freedom 0 (axial) is -1"));
+	EXPECT_NE(std::string::npos,
+			  testing::internal::GetCapturedStderr().find("stiffness [N/m] of degree of freedom 0 (axial) is -1"));
 }
 }  // namespace

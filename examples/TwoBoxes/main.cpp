@@ -19,6 +19,12 @@ struct Printer : btElasticPlasticListener
 
 int main()
 {
+	btBoxShape box(btVector3(0.5, 0.5, 0.5));
+	btVector3 inertia;
+	box.calculateLocalInertia(3000, inertia);
+	btRigidBody support(0, nullptr, &box), load(3000, nullptr, &box, inertia);
+	load.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, -2, 0)));
+
 	// A Bullet world as ever, but with our solver: that is one line.
 	btDefaultCollisionConfiguration configuration;
 	btCollisionDispatcher dispatcher(&configuration);
@@ -26,11 +32,6 @@ int main()
 	btElasticPlasticConstraintSolver solver;
 	btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
 
-	btBoxShape box(btVector3(0.5, 0.5, 0.5));
-	btVector3 inertia;
-	box.calculateLocalInertia(3000, inertia);
-	btRigidBody support(0, nullptr, &box), load(3000, nullptr, &box, inertia);
-	load.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, -2, 0)));
 	world.addRigidBody(&support);
 	world.addRigidBody(&load);
 
@@ -44,8 +45,8 @@ int main()
 	const btQuaternion down(btVector3(0, 0, 1), -SIMD_HALF_PI);
 	btElasticPlastic6DofSpring2Constraint joint(support, load, btTransform(down, btVector3(0, -1, 0)),
 												btTransform(down, btVector3(0, 1, 0)));
-	joint.setCapacity(btElasticPlasticCapacity::fromMember(btElasticPlasticMaterial::steel(200e6),
-														   btElasticPlasticSection::rectangle(0.01, 0.01), 1, 1));
+	joint.setCapacity(btElasticPlasticCapacity::fromRod(btElasticPlasticMaterial::steel(200e6),
+														btElasticPlasticSection::rectangle(0.01, 0.01), 1));
 	world.addConstraint(&joint);
 	action.addJoint(&joint);
 

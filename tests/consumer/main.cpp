@@ -10,17 +10,9 @@
 
 int main()
 {
-	btDefaultCollisionConfiguration configuration;
-	btCollisionDispatcher dispatcher(&configuration);
-	btDbvtBroadphase broadphase;
-	btElasticPlasticConstraintSolver solver;
-	btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-	const btScalar gravity = 10;
-	world.setGravity(btVector3(0, -gravity, 0));
-
 	const auto material = btElasticPlasticMaterial::reinforcedConcrete(btScalar(0.002));
 	const auto section = btElasticPlasticSection::rectangle(1, 1);
-	const btScalar length = 4, mass = material.m_density * section.m_area * length;
+	const btScalar gravity = 10, length = 4, mass = material.m_density * section.m_area * length;
 
 	btBoxShape wallShape(btVector3(1, 5, 5)), beamShape(btVector3(length / 2, btScalar(0.5), btScalar(0.5)));
 	btVector3 inertia;
@@ -28,14 +20,22 @@ int main()
 	btRigidBody wall(0, nullptr, &wallShape), beam(mass, nullptr, &beamShape, inertia);
 	wall.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(-1, 0, 0)));
 	beam.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(length / 2, 0, 0)));
+
+	// After the bodies, so that it goes before them.
+	btDefaultCollisionConfiguration configuration;
+	btCollisionDispatcher dispatcher(&configuration);
+	btDbvtBroadphase broadphase;
+	btElasticPlasticConstraintSolver solver;
+	btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+	world.setGravity(btVector3(0, -gravity, 0));
 	world.addRigidBody(&wall);
 	world.addRigidBody(&beam);
 
 	btElasticPlasticAction action;
 	world.addAction(&action);
-	btElasticPlastic6DofSpring2Constraint joint(
-		wall, beam, btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0)),
-		btTransform(btQuaternion::getIdentity(), btVector3(-length / 2, 0, 0)));
+	btElasticPlastic6DofSpring2Constraint joint(wall, beam,
+												btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0)),
+												btTransform(btQuaternion::getIdentity(), btVector3(-length / 2, 0, 0)));
 	joint.setCapacity(btElasticPlasticCapacity::fromMember(material, section, 0, length));
 	world.addConstraint(&joint, true);
 	if (!action.addJoint(&joint))

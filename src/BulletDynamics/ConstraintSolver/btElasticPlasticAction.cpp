@@ -36,6 +36,8 @@ btElasticPlasticAction::~btElasticPlasticAction()
 bool btElasticPlasticAction::addJoint(btElasticPlasticJoint* joint)
 {
 	joint->m_fault = joint->findFault();
+	joint->m_uncommitted = 0;
+	joint->revert();
 	if (joint->fault())
 	{
 		char text[320];

@@ -40,7 +40,7 @@ public:
 	/// \return false if the joint is refused, see btElasticPlasticJoint::fault; the listener is told why.
 	bool addJoint(btElasticPlasticJoint* joint);
 
-	/// Forgets a joint and its events. It stays in the world, if it is not broken.
+	/// Forgets a joint and its events. It stays in the world if it is not broken, but does nothing there any more.
 	void removeJoint(btElasticPlasticJoint* joint);
 
 	/// Takes a body and all its constraints out of the world, elastic-plastic or not, and forgets its joints.

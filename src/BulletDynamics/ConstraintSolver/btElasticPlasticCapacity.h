@@ -47,7 +47,8 @@ struct btElasticPlasticCapacity
 	/// Takes a degree of freedom out: no row, no cost.
 	void clear(int dof);
 
-	/// Multiplies all yield values (a weakened joint: factor < 1; factor must be finite and not negative).
+	/// Multiplies all yield values (a weakened joint: factor < 1). Must be finite and not negative; 0 takes all degrees of
+	/// freedom out, the joint no longer holds anything.
 	void scaleYield(btScalar factor);
 
 	bool isElasticPlastic(int dof) const { return m_yield[dof] > 0; }
@@ -55,6 +56,14 @@ struct btElasticPlasticCapacity
 
 	/// First value that is out of its range; yield without stiffness is one, unless rigid-plastic.
 	btElasticPlasticFault fault() const;
+
+	/// Capacity of a rod of the given length [m], > 0, between two bodies, with the joint in its middle; all else as fromMember.
+	static btElasticPlasticCapacity fromRod(const btElasticPlasticMaterial& material,
+											const btElasticPlasticSection& section, btScalar length,
+											btScalar gaugeLength = 0)
+	{
+		return fromMember(material, section, length, length, gaugeLength);
+	}
 
 	/// Capacity of the joint between two rigid parts of one member, which stands for the member between the parts' centres.
 	///

@@ -28,15 +28,15 @@ enum btElasticPlasticEventType
 	BT_EP_EVENT_BREAK   ///< its ductility is spent; it has left the world
 };
 
-/// An event, complete in itself but for the objects it points to.
+/// An event, complete in itself but for the objects it points to; the bodies may be gone when it is read from the queue.
 ATTRIBUTE_ALIGNED16(struct)
 btElasticPlasticEvent
 {
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
 	btVector3 m_position;  ///< of the joint, world coordinates [m]
-	btVector3 m_force;     ///< in the joint's own frame [N]
-	btVector3 m_moment;    ///< in the joint's own frame [N m]
+	btVector3 m_force;     ///< by the joint's axes [N], see btElasticPlasticJoint::getForce and getJointAxis
+	btVector3 m_moment;    ///< by the joint's axes [N m]
 	double m_time;         ///< sum of the substeps the action has seen [s]
 	double m_energy;       ///< taken up by the joint so far, elastic and plastic [J]
 	btElasticPlasticJoint* m_joint;

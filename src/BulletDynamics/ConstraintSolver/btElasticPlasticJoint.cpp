@@ -133,7 +133,7 @@ void btElasticPlasticJoint::setReferenceToCurrentPose()
 		m_state.m_initial[i] += now.m_strain[i];
 	m_state.m_plasticRotation = now.m_relative;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		m_state.m_force[i] = m_state.m_forceRate[i] = 0;
+		m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = 0;
 	revert();
 }
 
@@ -152,7 +152,7 @@ btScalar btElasticPlasticJoint::getElasticDeformation(int dof) const
 
 btScalar btElasticPlasticJoint::getUtilisation(int dof) const
 {
-	return m_capacity.isElasticPlastic(dof) ? btFabs(m_state.m_force[dof]) / m_capacity.m_yield[dof] : btScalar(0);
+	return m_capacity.isElasticPlastic(dof) ? btFabs(m_state.m_applied[dof]) / m_capacity.m_yield[dof] : btScalar(0);
 }
 
 btScalar btElasticPlasticJoint::getUtilisation(int* limitingDof) const
@@ -188,11 +188,25 @@ double btElasticPlasticJoint::getElasticEnergy() const
 
 // ---- the step: rows
 
+/// Without its commits the joint would be a wrong spring that never yields.
+void btElasticPlasticJoint::refuseWithoutBooks()
+{
+	m_fault.m_quantity =
+		m_action ? "number of commits in the last three substeps" : "number of actions that know the joint";
+	m_fault.m_range = m_action ? "3: call btDynamicsWorld::addAction" : "1: call btElasticPlasticAction::addJoint";
+	char text[320];
+	printFault(text, sizeof text);
+	fprintf(stderr, "Bullet Elastic-Plastic refused %s\n", text);
+}
+
 int btElasticPlasticJoint::prepare()
 {
+	m_uncommitted = m_step.m_rows > 0 ? m_uncommitted + 1 : 0;
 	m_step.m_rows = 0;
 	m_step.m_implicit = m_implicitRequested;
 	m_implicitRequested = false;
+	if (m_dofs && (!m_action || m_uncommitted > 2) && !m_fault)
+		refuseWithoutBooks();
 	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
 	if (m_fault || m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
 		return 0;
@@ -443,6 +457,7 @@ int btElasticPlasticJoint::commit()
 		const btElasticPlasticReturn mapped = returnMap(row, velocity1[i]);
 		m_state.m_forceRate[i] = (mapped.m_force - m_state.m_force[i]) * rate;
 		m_state.m_force[i] = mapped.m_force;
+		m_state.m_applied[i] = row.m_impulse * rate;
 		// The work of an impulse on the bodies is exactly impulse times mean velocity.
 		m_state.m_work -= 0.5 * double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
 		if (mapped.m_increment == 0)

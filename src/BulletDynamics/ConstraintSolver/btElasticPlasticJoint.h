@@ -43,7 +43,11 @@ public:
 
 	// ---- settings
 
-	/// Makes every degree of freedom with a yield value elastic-plastic and takes Bullet's own limit, motor and spring off it.
+	/// Makes every degree of freedom with a yield value elastic-plastic and takes Bullet's own limit, motor and spring off it;
+	/// for good: one that a later capacity leaves out is free, until Bullet's setLimit() says otherwise. Those that never had
+	/// a yield value are as Bullet's class made them: translations locked, rotations free, unless set.
+	/// Before or after btDynamicsWorld::addConstraint, also while running. Frames that do not meet load the joint from the
+	/// first step; only a misfit of the size of rounding is taken for none (setReferenceToCurrentPose() takes any).
 	/// A joint that has nothing else is no more drawn by Bullet itself (setDbgDrawSize(0)), but by btElasticPlasticAction.
 	/// \return false, and the joint stays out of the simulation until it gets a valid capacity, if the capacity or the bodies
 	/// have a fault (see fault()).
@@ -63,8 +67,18 @@ public:
 
 	// ---- what it tells, all as of the last commit
 
-	/// Force or moment on body A in the joint's own (mid) frame [N], [N m]; positive pulls the bodies together.
+	/// Force or moment by the law, stiffness times elastic deformation within the yield value [N], [N m]. It acts on body A
+	/// along the joint's axis and on body B against it: positive axial force is tension. A solver that leaves an error
+	/// leaves elastic deformation that it has applied no force for: see getAppliedForce().
 	btScalar getForce(int dof) const { return m_state.m_force[dof]; }
+
+	/// Mean force or moment that the joint has really applied in the last substep [N], [N m], impulse over time. With the
+	/// direct solver the same as getForce() but for the mean over the step.
+	btScalar getAppliedForce(int dof) const { return m_state.m_applied[dof]; }
+
+	/// Axis of the degree of freedom (translation along it, rotation about it) in world coordinates, at the start of the last
+	/// substep: half way between the frames of the two bodies.
+	const btVector3& getJointAxis(int dof) const { return m_step.m_kinematics.m_axis[dof % 3]; }
 
 	/// Elastic deformation, force over stiffness [m], [rad]; 0 where rigid-plastic.
 	btScalar getElasticDeformation(int dof) const;
@@ -75,7 +89,7 @@ public:
 	/// Sum of the absolute values of plastic increments [m], [rad].
 	btScalar getPlasticPath(int dof) const { return m_state.m_plasticPath[dof]; }
 
-	/// |force| over yield: 1 is yield.
+	/// |applied force| over yield: 1 is yield.
 	btScalar getUtilisation(int dof) const;
 
 	/// The largest utilisation, and which degree of freedom has it (-1: none).
@@ -94,6 +108,7 @@ public:
 	double getPlasticEnergy() const { return m_state.m_plasticEnergy; }
 
 	/// Taken from the bodies by the joint in all, less elastic and plastic energy: what the time integration has dissipated [J].
+	/// May be a little negative: plastic flow counts by the step's last velocity, work by its mean one.
 	double getNumericalEnergy() const { return m_state.m_work - m_state.m_plasticEnergy - getElasticEnergy(); }
 
 	/// Taken from the bodies by the joint in all [J].
@@ -227,6 +242,7 @@ private:
 
 	btElasticPlasticFault findFault() const;
 	void takeRoundingAsReference();
+	void refuseWithoutBooks();
 	btScalar diagonal(int dof) const;
 	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
 	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
@@ -252,6 +268,7 @@ private:
 	btElasticPlasticFault m_fault;
 	btElasticPlasticAction* m_action = nullptr;  ///< that knows this joint
 	int m_entry = 0;                             ///< in its books
+	int m_uncommitted = 0;                       ///< substeps in a row that nobody committed
 	btJointFeedback m_feedback;
 	btAlignedObjectArray<btVector3>
 		m_dual;  ///< two vectors a row: impulse = force . first + torque . second; empty: the axes do

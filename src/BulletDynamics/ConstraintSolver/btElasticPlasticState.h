@@ -29,6 +29,7 @@ struct btElasticPlasticState
 	btScalar m_initial[3] = {};      ///< offset of the frames at which the joint is free of force [m], not plastic
 	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
 	btScalar m_force[6] = {};        ///< f_n [N], [N m]
+	btScalar m_applied[6] = {};      ///< mean force that was applied in the last substep [N], [N m]
 	btScalar m_forceRate[6] = {};    ///< (f_n - f_(n-1)) / dt [N/s], [N m/s]
 	// In double whatever Bullet's precision: sums over many steps.
 	double m_work = 0;           ///< taken from the bodies [J]

@@ -1,0 +1,6 @@
+file(READ ${PROGRAM} program)
+file(READ ${README} readme)
+string(FIND "${readme}" "${program}" place)
+if(place EQUAL -1)
+	message(FATAL_ERROR "README.md does not show ${PROGRAM} as it is")
+endif()
