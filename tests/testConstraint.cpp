@@ -30,7 +30,8 @@ struct Pair
 	explicit Pair(Solver solver = Solver::Iterative, btScalar massA = 0) : m_world(solver, btVector3(0, 0, 0))
 	{
 		m_a = m_world.body(massA, m_world.box(btVector3(1, 1, 1)), btTransform::getIdentity(), false);
-		m_b = m_world.body(12, m_world.box(btVector3(1, 1, 1)), btTransform(btQuaternion(0, 0, 0, 1), btVector3(1, 0, 0)), false);
+		m_b = m_world.body(12, m_world.box(btVector3(1, 1, 1)),
+						   btTransform(btQuaternion(0, 0, 0, 1), btVector3(1, 0, 0)), false);
 	}
 };
 
@@ -49,7 +50,8 @@ TEST(Constraint, HasRowsOnlyForWhatItHasCapacityFor)
 		for (unsigned dofs = 0; dofs < 64; ++dofs)
 		{
 			Pair pair;
-			btElasticPlasticJoint* joint = pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, capacityOf(dofs), jointClass);
+			btElasticPlasticJoint* joint =
+				pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, capacityOf(dofs), jointClass);
 			int own = 0, locked = 0;
 			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 			{
@@ -70,7 +72,8 @@ TEST(Constraint, LeavesUntouchedDegreesOfFreedomToBullet)
 	{
 		Pair pair(Solver::Stock);
 		std::unique_ptr<btGeneric6DofSpring2Constraint> joint;
-		const btTransform inA(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.5), 0, 0)), inB(btQuaternion(0, 0, 0, 1), btVector3(btScalar(-0.5), 0, 0));
+		const btTransform inA(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.5), 0, 0)),
+			inB(btQuaternion(0, 0, 0, 1), btVector3(btScalar(-0.5), 0, 0));
 		if (ours)
 			joint.reset(new btElasticPlastic6DofSpring2Constraint(*pair.m_a, *pair.m_b, inA, inB, RO_ZYX));
 		else
@@ -102,7 +105,8 @@ TEST(Constraint, LeavesUntouchedDegreesOfFreedomToTheFirstClassToo)
 	{
 		Pair pair(Solver::Stock);
 		std::unique_ptr<btGeneric6DofSpringConstraint> joint;
-		const btTransform inA(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.5), 0, 0)), inB(btQuaternion(0, 0, 0, 1), btVector3(btScalar(-0.5), 0, 0));
+		const btTransform inA(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.5), 0, 0)),
+			inB(btQuaternion(0, 0, 0, 1), btVector3(btScalar(-0.5), 0, 0));
 		if (ours)
 			joint.reset(new btElasticPlastic6DofSpringConstraint(*pair.m_a, *pair.m_b, inA, inB, true));
 		else
@@ -152,7 +156,9 @@ TEST(Constraint, MixesPlasticHingeWithBulletsLocks)
 			const double kinetic = pair.m_world.kineticEnergy();
 			for (int i = 0; i < 960; ++i)
 				pair.m_world.step(btScalar(1) / 960);
-			EXPECT_NEAR(kinetic / 20, joint->getPlasticDeformation(BT_EP_BENDING_Z), 6. / 960);
+			// Off by one step of motion, because an explicit spring begins a step late; in float also by roundings of 960 steps.
+			EXPECT_NEAR(kinetic / 20, joint->getPlasticDeformation(BT_EP_BENDING_Z),
+						6. / 960 + byPrecision(0, 1e-4) * kinetic / 20);
 			EXPECT_NEAR(kinetic, joint->getWork(), byPrecision(1e-6, 1e-4) * kinetic);
 			EXPECT_NEAR(0, pair.m_b->getLinearVelocity().length(), byPrecision(1e-9, 1e-4));
 		}
@@ -170,7 +176,8 @@ TEST(Constraint, SeparatesItsImpulsesFromBulletsRows)
 		capacity.set(BT_EP_AXIAL, btScalar(1e5), 1000);
 		capacity.set(BT_EP_SHEAR_Z, btScalar(1e5), 1000);
 		capacity.set(BT_EP_BENDING_Y, btScalar(1e5), 1000);
-		btElasticPlasticJoint* joint = pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, capacity, JointClass::Spring2);
+		btElasticPlasticJoint* joint =
+			pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, capacity, JointClass::Spring2);
 		auto& base = static_cast<btElasticPlastic6DofSpring2Constraint&>(joint->getConstraint());
 		base.setLimit(BT_EP_TORSION, 0, 0);
 		base.setLimit(BT_EP_BENDING_Z, 0, 0);
@@ -225,12 +232,14 @@ TEST(Constraint, HangsFromAKinematicBodyThatMoves)
 	pair.m_b->setGravity(btVector3(10, 0, 0));
 	pair.m_a->setCollisionFlags(pair.m_a->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
 	pair.m_b->setDamping(btScalar(0.99), btScalar(0.99));
-	btElasticPlasticJoint* joint = pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, [] {
-		btElasticPlasticCapacity c;
-		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-			c.set(i, btScalar(1e6), 1000);
-		return c;
-	}());
+	btElasticPlasticJoint* joint = pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame,
+													  []
+													  {
+														  btElasticPlasticCapacity c;
+														  for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+															  c.set(i, btScalar(1e6), 1000);
+														  return c;
+													  }());
 	double speed = 0;
 	for (int i = 0; i < 600; ++i)
 	{
@@ -339,8 +348,10 @@ TEST(Solvers, StayFiniteAndLoseEnergyFromSoftToStiff)
 					capacity.set(i, btScalar(stiffness), btElasticPlasticCapacity::unlimited());
 				for (int i = 1; i <= 10; ++i)
 				{
-					btRigidBody* next = world.body(100, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i), 0, 0)), false);
-					world.joint(*last, *next, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i - 0.5), 0, 0)), capacity);
+					btRigidBody* next = world.body(
+						100, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i), 0, 0)), false);
+					world.joint(*last, *next, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i - 0.5), 0, 0)),
+								capacity);
 					last = next;
 				}
 				last->setLinearVelocity(btVector3(0, 1, btScalar(0.5)));
@@ -352,7 +363,8 @@ TEST(Solvers, StayFiniteAndLoseEnergyFromSoftToStiff)
 					largest = std::max(largest, world.kineticEnergy());
 				}
 				// The kick's energy may slosh, not grow.
-				EXPECT_LT(largest, 1.05 * before) << "solver " << int(solver) << " stiffness " << stiffness << " rate " << rate;
+				EXPECT_LT(largest, 1.05 * before)
+					<< "solver " << int(solver) << " stiffness " << stiffness << " rate " << rate;
 			}
 }
 
@@ -364,8 +376,11 @@ TEST(Solvers, OursIsTheStockSolverWhereThereAreNoJoints)
 		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
 		world.body(0, world.box(btVector3(50, 1, 50)), btTransform::getIdentity());
 		for (int i = 0; i < 10; ++i)
-			world.body(10, cube, btTransform(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.1 * i)), btVector3(btScalar(0.1 * i), btScalar(2 + 1.1 * i), 0)));
-		auto* hinge = new btHingeConstraint(*world.bodies()[3], *world.bodies()[4], btVector3(0, 1, 0), btVector3(0, -1, 0), btVector3(1, 0, 0), btVector3(1, 0, 0));
+			world.body(10, cube,
+					   btTransform(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.1 * i)),
+								   btVector3(btScalar(0.1 * i), btScalar(2 + 1.1 * i), 0)));
+		auto* hinge = new btHingeConstraint(*world.bodies()[3], *world.bodies()[4], btVector3(0, 1, 0),
+											btVector3(0, -1, 0), btVector3(1, 0, 0), btVector3(1, 0, 0));
 		world.add(hinge);
 		for (int i = 0; i < 240; ++i)
 			world.step(btScalar(1) / 60);

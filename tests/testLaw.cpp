@@ -26,8 +26,8 @@ double growth(double squaredStep, bool stock)
 	for (int i = 0; i < 2000; ++i)
 	{
 		const btElasticPlasticDofState s = {btScalar(k), btScalar(1e30), btScalar(e), btScalar(force), btScalar(rate)};
-		const btElasticPlasticRow row =
-			stock ? btElasticPlasticStockRow(s, btScalar(1 / m), btScalar(dt)) : btElasticPlasticImplicitRow(s, btScalar(1 / m), btScalar(dt));
+		const btElasticPlasticRow row = stock ? btElasticPlasticStockRow(s, btScalar(1 / m), btScalar(dt))
+											  : btElasticPlasticImplicitRow(s, btScalar(1 / m), btScalar(dt));
 		v += solve(row, v, 1 / m) / m;
 		e -= dt * v;
 		rate = (k * e - force) / dt;
@@ -88,7 +88,8 @@ TEST(Law, DoesNotCareHowTheStepChanges)
 		for (int i = 0; t < T - 1e-9; ++i)
 		{
 			const double dt = i % 2 ? a : b;
-			const btElasticPlasticDofState s = {btScalar(k), btScalar(1e6), btScalar(e), btScalar(force), btScalar(rate)};
+			const btElasticPlasticDofState s = {btScalar(k), btScalar(1e6), btScalar(e), btScalar(force),
+												btScalar(rate)};
 			v += solve(btElasticPlasticImplicitRow(s, 1, btScalar(dt)), v, 1 / m);
 			e -= dt * v;
 			rate = (k * e - force) / dt;
@@ -108,10 +109,11 @@ TEST(Law, HugeAndTinyStiffnessGiveNumbers)
 		for (double dt : {1e-5, 0.1})
 		{
 			const btElasticPlasticDofState s = {btScalar(k), btScalar(1e5), btScalar(1e-3), 0, 0};
-			for (const btElasticPlasticRow& row :
-				 {btElasticPlasticImplicitRow(s, btScalar(1e6), btScalar(dt)), btElasticPlasticStockRow(s, btScalar(1e6), btScalar(dt))})
+			for (const btElasticPlasticRow& row : {btElasticPlasticImplicitRow(s, btScalar(1e6), btScalar(dt)),
+												   btElasticPlasticStockRow(s, btScalar(1e6), btScalar(dt))})
 			{
-				EXPECT_FALSE(std::isnan(row.m_velocity) || std::isnan(row.m_compliance) || std::isnan(row.m_lower)) << k << " " << dt;
+				EXPECT_FALSE(std::isnan(row.m_velocity) || std::isnan(row.m_compliance) || std::isnan(row.m_lower))
+					<< k << " " << dt;
 				EXPECT_LE(row.m_lower, row.m_upper);
 			}
 		}
@@ -143,6 +145,8 @@ btQuaternion rotation(double x, double y, double z, double angle)
 	return btQuaternion(btVector3(btScalar(x), btScalar(y), btScalar(z)).normalized(), btScalar(angle));
 }
 
+const btQuaternion NONE(0, 0, 0, 1);
+
 TEST(Kinematics, LogAndExpAreInverse)
 {
 	for (double angle : {0., 1e-9, 1e-5, 0.03, 0.0632, 0.0633, 0.5, 1.57, 3.1, 3.2, 6.0})
@@ -155,25 +159,27 @@ TEST(Kinematics, LogAndExpAreInverse)
 
 TEST(Kinematics, StrainIsFrameIndifferent)
 {
-	const btTransform frameA(rotation(1, 2, 0, 0.4), btVector3(1, btScalar(0.2), 0)), frameB(rotation(0, 1, 1, 1.2), btVector3(-1, 0, btScalar(0.1)));
+	const btTransform frameA(rotation(1, 2, 0, 0.4), btVector3(1, btScalar(0.2), 0)),
+		frameB(rotation(0, 1, 1, 1.2), btVector3(-1, 0, btScalar(0.1)));
 	const btTransform bodyA(rotation(0, 0, 1, 0.3), btVector3(1, 2, 3));
 	// B stands so that the joint is stretched by (1, 2, 3) mm and turned by a small and a large rotation.
 	for (double angle : {0.001, 2.5})
 	{
-		const btTransform relative(rotation(3, 1, 2, angle), btVector3(btScalar(0.001), btScalar(0.002), btScalar(0.003)));
+		const btTransform relative(rotation(3, 1, 2, angle),
+								   btVector3(btScalar(0.001), btScalar(0.002), btScalar(0.003)));
 		const btTransform bodyB = bodyA * frameA * relative * frameB.inverse();
 		btElasticPlasticKinematics first;
-		first.evaluate(bodyA, bodyB, frameA, frameB, btVector3(0, 0, 0), btQuaternion(0, 0, 0, 1));
+		first.evaluate(bodyA, bodyB, frameA, frameB, btVector3(0, 0, 0), NONE, NONE);
 		const btVector3 turned(first.m_strain[3], first.m_strain[4], first.m_strain[5]);
 		EXPECT_NEAR(angle, turned.length(), byPrecision(1e-13, 1e-6));
 		const btTransform move(rotation(1, -1, 3, 2), btVector3(-5, 4, 2));
 		btElasticPlasticKinematics moved;
-		moved.evaluate(move * bodyA, move * bodyB, frameA, frameB, btVector3(0, 0, 0), btQuaternion(0, 0, 0, 1));
+		moved.evaluate(move * bodyA, move * bodyB, frameA, frameB, btVector3(0, 0, 0), NONE, NONE);
 		for (int i = 0; i < 6; ++i)
 			EXPECT_NEAR(first.m_strain[i], moved.m_strain[i], byPrecision(1e-13, 3e-6));
 		// Seen from the other body: the same deformation the other way round, because the axes are those in the middle.
 		btElasticPlasticKinematics swapped;
-		swapped.evaluate(bodyB, bodyA, frameB, frameA, btVector3(0, 0, 0), btQuaternion(0, 0, 0, 1));
+		swapped.evaluate(bodyB, bodyA, frameB, frameA, btVector3(0, 0, 0), NONE, NONE);
 		for (int i = 0; i < 6; ++i)
 			EXPECT_NEAR(first.m_strain[i], -swapped.m_strain[i], byPrecision(1e-13, 3e-6));
 	}
@@ -187,9 +193,10 @@ TEST(Kinematics, SmallPlasticRotationsCount)
 	{
 		const btTransform turned(rotation(0, 1, 0, angle));
 		btElasticPlasticKinematics k;
-		k.evaluate(still, turned, still, still, btVector3(0, 0, 0), rotation(0, 1, 0, angle));
+		k.evaluate(still, turned, still, still, btVector3(0, 0, 0), rotation(0, 1, 0, angle),
+				   rotation(0, 1, 0, angle / 2));
 		EXPECT_NEAR(0, k.m_strain[BT_EP_BENDING_Y], byPrecision(1e-15, 1e-7));
-		k.evaluate(still, turned, still, still, btVector3(0, 0, 0), btQuaternion(0, 0, 0, 1));
+		k.evaluate(still, turned, still, still, btVector3(0, 0, 0), NONE, NONE);
 		EXPECT_NEAR(angle, k.m_strain[BT_EP_BENDING_Y], byPrecision(1e-15, 1e-7));
 	}
 }
@@ -197,18 +204,23 @@ TEST(Kinematics, SmallPlasticRotationsCount)
 TEST(Kinematics, JacobianIsTheRateOfStrain)
 {
 	// -de/dt = J v by differences, for a small elastic deformation on top of a large plastic one.
-	const btTransform frameA(rotation(1, 2, 0, 0.4), btVector3(1, btScalar(0.2), 0)), frameB(rotation(0, 1, 1, 1.2), btVector3(-1, 0, btScalar(0.1)));
+	const btTransform frameA(rotation(1, 2, 0, 0.4), btVector3(1, btScalar(0.2), 0)),
+		frameB(rotation(0, 1, 1, 1.2), btVector3(-1, 0, btScalar(0.1)));
 	const btTransform bodyA(rotation(0, 0, 1, 0.3), btVector3(1, 2, 3));
-	const btQuaternion plastic = rotation(1, 0.5, -1, 1.9);
-	const btTransform bodyB = bodyA * frameA * btTransform(rotation(1, 1, 0, 1e-5) * plastic) * frameB.inverse();
-	const btVector3 vA(1, btScalar(-0.5), 2), wA(btScalar(0.3), 1, -1), vB(btScalar(0.2), 1, 1), wB(-1, btScalar(0.4), btScalar(0.6));
+	const btQuaternion plastic = rotation(1, 0.5, -1, 1.9), middle = rotation(1, 0.5, -1, 0.95);
+	// And a linear offset: the axes must turn with the mean of the bodies' spins.
+	const btVector3 offset(btScalar(0.2), btScalar(-0.1), btScalar(0.3));
+	const btTransform bodyB =
+		bodyA * frameA * btTransform(rotation(1, 1, 0, 1e-5) * plastic, quatRotate(middle, offset)) * frameB.inverse();
+	const btVector3 vA(1, btScalar(-0.5), 2), wA(btScalar(0.3), 1, -1), vB(btScalar(0.2), 1, 1),
+		wB(-1, btScalar(0.4), btScalar(0.6));
 	const btScalar h = btScalar(byPrecision(1e-6, 1e-3));
 	const auto moved = [&](const btTransform& body, const btVector3& v, const btVector3& w, btScalar t)
 	{ return btTransform(btElasticPlasticExp(w * t) * body.getRotation(), body.getOrigin() + v * t); };
 	btElasticPlasticKinematics now, before, after;
-	now.evaluate(bodyA, bodyB, frameA, frameB, btVector3(0, 0, 0), plastic);
-	before.evaluate(moved(bodyA, vA, wA, -h), moved(bodyB, vB, wB, -h), frameA, frameB, btVector3(0, 0, 0), plastic);
-	after.evaluate(moved(bodyA, vA, wA, h), moved(bodyB, vB, wB, h), frameA, frameB, btVector3(0, 0, 0), plastic);
+	now.evaluate(bodyA, bodyB, frameA, frameB, offset, plastic, middle);
+	before.evaluate(moved(bodyA, vA, wA, -h), moved(bodyB, vB, wB, -h), frameA, frameB, offset, plastic, middle);
+	after.evaluate(moved(bodyA, vA, wA, h), moved(bodyB, vB, wB, h), frameA, frameB, offset, plastic, middle);
 	const btVector3 linear = vA + wA.cross(now.m_rA) - vB - wB.cross(now.m_rB), angular = wA - wB;
 	for (int i = 0; i < 6; ++i)
 	{

@@ -37,6 +37,7 @@ public:
 	{
 		info->m_numConstraintRows = info->nub = 0;
 		m_baseRows = 0;
+		const int rows = prepare();
 		if (fault() || isBroken())
 			return;
 		if (hasBaseDof() && isBaseActive())
@@ -44,7 +45,7 @@ public:
 			Base::getInfo1(info);
 			m_baseRows = info->m_numConstraintRows;
 		}
-		info->m_numConstraintRows += prepare();
+		info->m_numConstraintRows += rows;
 	}
 
 	void getInfo2(btTypedConstraint::btConstraintInfo2* info) override

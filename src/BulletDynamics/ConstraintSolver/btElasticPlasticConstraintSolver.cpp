@@ -82,7 +82,9 @@ void btElasticPlasticConstraintSolver::convertJoints(btTypedConstraint** constra
 {
 	m_jointRows.resize(0);
 	for (int i = 0; i < numConstraints; ++i)
-		if (btElasticPlasticJoint* joint = btElasticPlasticJoint::from(constraints[i]))
+		// A disabled one is not asked for rows.
+		if (btElasticPlasticJoint* joint =
+				constraints[i]->isEnabled() ? btElasticPlasticJoint::from(constraints[i]) : nullptr)
 		{
 			joint->requestImplicitRows();
 			const JointRows rows = {joint, i, 0};
@@ -112,10 +114,28 @@ void btElasticPlasticConstraintSolver::convertJoints(btTypedConstraint** constra
 void btElasticPlasticConstraintSolver::makeSoft(btSolverConstraint& row, btElasticPlasticJoint& joint, int r,
 												const btContactSolverInfo& info)
 {
-	const btScalar a = 1 / row.m_jacDiagABInv;
+	btScalar a, velocity;
+	if (row.m_jacDiagABInv > 0)
+	{
+		a = 1 / row.m_jacDiagABInv;
+		velocity = -row.m_rhs * a;
+	}
+	else
+	{
+		// Where A <= SIMD_EPSILON, in float two bodies of 8000 t, Bullet has put 0.
+		const btSolverBody &A = m_tmpSolverBodyPool[row.m_solverBodyIdA], &B = m_tmpSolverBodyPool[row.m_solverBodyIdB];
+		a = row.m_contactNormal1.length2() * joint.getConstraint().getRigidBodyA().getInvMass() +
+			row.m_contactNormal2.length2() * joint.getConstraint().getRigidBodyB().getInvMass() +
+			row.m_angularComponentA.dot(row.m_relpos1CrossNormal) +
+			row.m_angularComponentB.dot(row.m_relpos2CrossNormal);
+		velocity = row.m_contactNormal1.dot(A.m_linearVelocity + A.m_externalForceImpulse) +
+				   row.m_relpos1CrossNormal.dot(A.m_angularVelocity + A.m_externalTorqueImpulse) +
+				   row.m_contactNormal2.dot(B.m_linearVelocity + B.m_externalForceImpulse) +
+				   row.m_relpos2CrossNormal.dot(B.m_angularVelocity + B.m_externalTorqueImpulse);
+	}
 	const btElasticPlasticRow& soft = joint.implicitRow(r, a, info.m_erp);
 	row.m_jacDiagABInv = 1 / (a + soft.m_compliance);
-	row.m_rhs = (row.m_rhs * a + soft.m_velocity) * row.m_jacDiagABInv;
+	row.m_rhs = (soft.m_velocity - velocity) * row.m_jacDiagABInv;
 	row.m_cfm = soft.m_compliance * row.m_jacDiagABInv;
 	// Bullet has put the breaking threshold there, if the user wants that too.
 	btSetMax(row.m_lowerLimit, soft.m_lower);

@@ -72,8 +72,7 @@ private:
 		int m_rows;
 	};
 
-	static void makeSoft(btSolverConstraint & row, btElasticPlasticJoint & joint, int r,
-						 const btContactSolverInfo& info);
+	void makeSoft(btSolverConstraint & row, btElasticPlasticJoint & joint, int r, const btContactSolverInfo& info);
 
 	void addBodies();
 	void addRows(btConstraintArray & pool);

@@ -54,6 +54,7 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 	m_fault = findFault();
 	if (m_fault)
 		return false;
+	const unsigned before = m_dofs;
 	m_dofs = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (m_capacity.isElasticPlastic(i))
@@ -61,10 +62,33 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 			m_dofs |= 1u << i;
 			releaseBase(i);
 		}
+		else
+			m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = 0;
 	if (!isBaseActive())
 		m_constraint.setDbgDrawSize(0);
-	takeRoundingAsReference();
+	if (!m_hasReference)
+		takeRoundingAsReference();
+	else if (m_dofs & ~before)
+		takePoseAsReference(m_dofs & ~before);
+	m_hasReference = true;
 	return true;
+}
+
+/// Degrees of freedom that were free for a while and hold again do so where they stand.
+void btElasticPlasticJoint::takePoseAsReference(unsigned dofs)
+{
+	btElasticPlasticKinematics now;
+	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
+				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
+				 m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	btScalar away[BT_EP_DOF_COUNT] = {};
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (dofs >> i & 1u)
+			away[i] = now.m_strain[i];
+	for (int i = 0; i < 3; ++i)
+		m_state.m_initial[i] += away[i];
+	if (dofs >> 3)
+		turnReference(away);
 }
 
 /// Frames that meet up to the rounding of their coordinates are meant to meet: in float half a micrometre on a metre would
@@ -76,7 +100,7 @@ void btElasticPlasticJoint::takeRoundingAsReference()
 	const btScalar size = A.getOrigin().length() + m_frameInA.getOrigin().length() + B.getOrigin().length() +
 						  m_frameInB.getOrigin().length();
 	btElasticPlasticKinematics now;
-	now.evaluate(A, B, m_frameInA, m_frameInB, m_state.offset(), m_state.m_plasticRotation);
+	now.evaluate(A, B, m_frameInA, m_frameInB, m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		// Eight roundings lie between the world's coordinates and a strain.
 		if (btFabs(now.m_strain[i]) > 4 * SIMD_EPSILON * (i < 3 ? size : 1))
@@ -128,13 +152,21 @@ void btElasticPlasticJoint::setReferenceToCurrentPose()
 	btElasticPlasticKinematics now;
 	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
 				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-				 m_state.m_plasticRotation);
+				 m_state.m_plasticRotation, m_state.m_plasticMiddle);
 	for (int i = 0; i < 3; ++i)
 		m_state.m_initial[i] += now.m_strain[i];
 	m_state.m_plasticRotation = now.m_relative;
+	m_state.m_plasticMiddle = now.m_middle;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = 0;
 	revert();
+}
+
+void btElasticPlasticJoint::setState(const btElasticPlasticState& state)
+{
+	const bool broken = m_state.m_broken;
+	m_state = state;
+	m_state.m_broken = broken;
 }
 
 void btElasticPlasticJoint::resetState()
@@ -212,11 +244,15 @@ int btElasticPlasticJoint::prepare()
 		return 0;
 	btElasticPlasticKinematics& k = m_step.m_kinematics;
 	k.evaluate(A.getCenterOfMassTransform(), B.getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-			   m_state.m_plasticRotation);
+			   m_state.m_plasticRotation, m_state.m_plasticMiddle);
 	// A body that something else made NaN must not take its neighbours with it.
 	btScalar sum = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		sum += k.m_strain[i];
+	const btRigidBody* const bodies[2] = {&A, &B};
+	for (const btRigidBody* body : bodies)
+		sum += body->getLinearVelocity().length2() + body->getAngularVelocity().length2() +
+			   body->getTotalForce().length2() + body->getTotalTorque().length2();
 	if (!btElasticPlasticIsFinite(sum))
 		return 0;
 	// Angular rows first, as in Bullet's own classes.
@@ -264,9 +300,9 @@ btScalar btElasticPlasticJoint::paperInverseMass(int dof) const
 
 btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const
 {
-	const btElasticPlasticDofState s = {m_capacity.m_stiffness[dof], m_capacity.m_yield[dof],
+	const btElasticPlasticDofState s = {m_capacity.m_stiffness[dof],       m_capacity.m_yield[dof],
 										m_step.m_kinematics.m_strain[dof], m_state.m_force[dof],
-										m_state.m_forceRate[dof]};
+										m_state.m_forceRate[dof],          m_state.m_lastStep};
 	if (m_capacity.isRigidPlastic(dof))
 		return btElasticPlasticRigidRow(s.m_yield, s.m_strain, erp, dt);
 	if (m_scheme == BT_EP_SCHEME_PAPER)
@@ -282,6 +318,30 @@ static void copy(btScalar* to, const btVector3& from)
 		to[i] = from[i];
 }
 
+/// A kinematic body already stands where the step will take it, and has the velocity that brought it there.
+void btElasticPlasticJoint::takeBackKinematicMotion(btScalar dt)
+{
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	if (!A.isKinematicObject() && !B.isKinematicObject())
+		return;
+	btElasticPlasticKinematics& k = m_step.m_kinematics;
+	btVector3 linear(0, 0, 0), angular(0, 0, 0);
+	if (A.isKinematicObject())
+	{
+		linear += A.getVelocityInLocalPoint(k.m_rA);
+		angular += A.getAngularVelocity();
+	}
+	if (B.isKinematicObject())
+	{
+		linear -= B.getVelocityInLocalPoint(k.m_rB);
+		angular -= B.getAngularVelocity();
+	}
+	btScalar moved[BT_EP_DOF_COUNT];
+	project(linear, angular, moved);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		k.m_strain[i] += dt * moved[i];
+}
+
 void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
 {
 	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
@@ -292,6 +352,7 @@ void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info
 	btScalar velocity[BT_EP_DOF_COUNT];
 	project(linear, angular, velocity);
 	m_step.m_dt = dt;
+	takeBackKinematicMotion(dt);
 	for (int r = 0; r < m_step.m_rows; ++r)
 	{
 		Row& row = m_step.m_row[r];
@@ -401,8 +462,15 @@ void btElasticPlasticJoint::readFeedback()
 	const btJointFeedback* feedback = m_constraint.getJointFeedback();
 	if (!feedback)
 		return;
-	const btVector3 force = feedback->m_appliedForceBodyA * m_step.m_dt,
-					torque = feedback->m_appliedTorqueBodyA * m_step.m_dt;
+	// Bullet multiplies by the bodies' factors, what they take away is lost: take the body that is freer.
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	const btVector3 one(1, 1, 1);
+	const bool useB = (A.getLinearFactor() != one || A.getAngularFactor() != one) && B.getInvMass() > 0 &&
+					  B.getLinearFactor() == one && B.getAngularFactor() == one;
+	const btVector3 force = (useB ? -feedback->m_appliedForceBodyB : feedback->m_appliedForceBodyA) * m_step.m_dt;
+	btVector3 torque = (useB ? -feedback->m_appliedTorqueBodyB : feedback->m_appliedTorqueBodyA) * m_step.m_dt;
+	if (useB)
+		torque += (m_step.m_kinematics.m_rA - m_step.m_kinematics.m_rB).cross(force);
 	btScalar impulse[BT_EP_DOF_COUNT];
 	project(force, torque - m_step.m_kinematics.m_rA.cross(force), impulse);
 	for (int r = 0; r < m_step.m_rows; ++r)
@@ -449,6 +517,7 @@ int btElasticPlasticJoint::commit()
 	project(linear, wA - wB, velocity1);
 
 	const btScalar rate = 1 / m_step.m_dt;
+	m_state.m_lastStep = m_step.m_dt;
 	bool flowed = false;
 	for (int r = 0; r < m_step.m_rows; ++r)
 	{
@@ -485,10 +554,11 @@ void btElasticPlasticJoint::turnReference(const btScalar increment[6])
 	btElasticPlasticKinematics now;
 	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
 				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-				 m_state.m_plasticRotation);
+				 m_state.m_plasticRotation, m_state.m_plasticMiddle);
 	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
 							now.m_strain[5] - increment[5]);
-	m_state.m_plasticRotation = btElasticPlasticRotationFor(now.m_relative, elastic);
+	m_state.m_plasticRotation = (btElasticPlasticExp(-quatRotate(now.m_middle, elastic)) * now.m_relative).normalized();
+	m_state.m_plasticMiddle = (now.m_middle * btElasticPlasticExp(elastic * btScalar(-0.5))).normalized();
 }
 
 void btElasticPlasticJoint::holdOverlap()

@@ -124,8 +124,9 @@ public:
 	void printFault(char* text, int capacity) const;
 
 	const btElasticPlasticState& getState() const { return m_state; }
-	/// Does not put a joint that has broken since back into the world: btElasticPlasticAction::repair does, then set the state.
-	void setState(const btElasticPlasticState& state) { m_state = state; }
+	/// Whether the joint is broken stays as it is: to go back to before a break, btElasticPlasticAction::repair the joint
+	/// first, then set the state.
+	void setState(const btElasticPlasticState& state);
 
 	btTypedConstraint& getConstraint() { return m_constraint; }
 	const btTypedConstraint& getConstraint() const { return m_constraint; }
@@ -242,12 +243,14 @@ private:
 
 	btElasticPlasticFault findFault() const;
 	void takeRoundingAsReference();
+	void takePoseAsReference(unsigned dofs);
 	void refuseWithoutBooks();
 	btScalar diagonal(int dof) const;
 	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
 	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
 	btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const;
 	btScalar paperInverseMass(int dof) const;
+	void takeBackKinematicMotion(btScalar dt);
 	void readFeedback();
 	btElasticPlasticReturn returnMap(const Row& row, btScalar velocity1) const;
 	void turnReference(const btScalar increment[6]);
@@ -263,6 +266,7 @@ private:
 	signed char m_bound[BT_EP_DOF_COUNT] = {};
 	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
 	bool m_implicitRequested = false;
+	bool m_hasReference = false;                ///< has had a valid capacity
 	btScalar m_overlap = 0;                     ///< of the bodies, while they part
 	btDynamicsWorld* m_partingWorld = nullptr;  ///< set while the joint is broken and its bodies have not parted
 	btElasticPlasticFault m_fault;

@@ -73,22 +73,20 @@ btQuaternion btElasticPlasticExp(const btVector3& rotation)
 	return btQuaternion(rotation.x() * s, rotation.y() * s, rotation.z() * s, btCos(angle / 2));
 }
 
-btQuaternion btElasticPlasticRotationFor(const btQuaternion& rel, const btVector3& elastic)
-{
-	const btVector3 elasticA = quatRotate(halfOf(rel), elastic);
-	return (btElasticPlasticExp(-elasticA) * rel).normalized();
-}
-
 void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
 										  const btTransform& frameB, const btVector3& plasticOffset,
-										  const btQuaternion& plasticRotation)
+										  const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle)
 {
 	const btMatrix3x3 basisA = bodyA.getBasis() * frameA.getBasis(), basisB = bodyB.getBasis() * frameB.getBasis();
 	basisA.transposeTimes(basisB).getRotation(m_relative);
 	if (m_relative.dot(plasticRotation) < 0)
 		m_relative = -m_relative;
-	const btQuaternion half = halfOf(m_relative);
-	const btMatrix3x3 mid = basisA * btMatrix3x3(half);
+	// Without plastic rotation the elastic one is all there is. (The scalar part alone does not tell: in float it is 1 up to
+	// half a milliradian.)
+	const bool isVirgin = plasticRotation.x() == 0 && plasticRotation.y() == 0 && plasticRotation.z() == 0;
+	const btQuaternion elasticTurn = isVirgin ? m_relative : m_relative * plasticRotation.inverse();
+	m_middle = halfOf(elasticTurn) * plasticMiddle;
+	const btMatrix3x3 mid = basisA * btMatrix3x3(m_middle);
 	for (int i = 0; i < 3; ++i)
 		m_axis[i] = mid.getColumn(i);
 
@@ -97,12 +95,8 @@ void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTran
 	m_rA = armA + d * btScalar(0.5);
 	m_rB = armB - d * btScalar(0.5);
 
-	// Without plastic rotation the elastic one is all there is, and turning it about itself changes nothing. (The scalar part
-	// alone does not tell: in float it is 1 up to half a milliradian.)
-	const bool isVirgin = plasticRotation.x() == 0 && plasticRotation.y() == 0 && plasticRotation.z() == 0;
-	const btVector3 elastic =
-		isVirgin ? btElasticPlasticLog(m_relative)
-				 : quatRotate(half.inverse(), btElasticPlasticLog(m_relative * plasticRotation.inverse()));
+	// The middle frame is half an elastic rotation from the plastic middle: the rotation's components are the same in both.
+	const btVector3 elastic = quatRotate(plasticMiddle.inverse(), btElasticPlasticLog(elasticTurn));
 	for (int i = 0; i < 3; ++i)
 	{
 		m_strain[i] = d.dot(m_axis[i]) - plasticOffset[i];

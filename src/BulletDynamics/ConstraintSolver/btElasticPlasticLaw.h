@@ -45,7 +45,7 @@ subject to the following restrictions:
 //
 // a spring that the step resolves (a << 1) gets the trapezoidal rule, second order and without dissipation; a stiff one
 // (a >> 1) becomes backward Euler; nothing switches in between. alpha >= beta and alpha + beta >= 1/2 hold for every a, so
-// the linear scheme is stable at any step (Hughes, The Finite Element Method, section 9.1, for beta_N = alpha, gamma_N = gamma).
+// the linear scheme is stable at any constant step (Hughes, The Finite Element Method, section 9.1, for beta_N = alpha, gamma_N = gamma).
 
 /// One row as the solver gets it, see (1). Impulses in N s or N m s, velocities in m/s or rad/s.
 struct btElasticPlasticRow
@@ -59,11 +59,12 @@ struct btElasticPlasticRow
 /// A degree of freedom at the start of a step.
 struct btElasticPlasticDofState
 {
-	btScalar m_stiffness;  ///< k > 0
-	btScalar m_yield;      ///< F >= 0
-	btScalar m_strain;     ///< e_n, measured
-	btScalar m_force;      ///< f_n, committed
-	btScalar m_forceRate;  ///< g_n = (f_n - f_(n-1)) / dt_n, committed
+	btScalar m_stiffness;     ///< k > 0
+	btScalar m_yield;         ///< F >= 0
+	btScalar m_strain;        ///< e_n, measured
+	btScalar m_force;         ///< f_n, committed
+	btScalar m_forceRate;     ///< g_n = (f_n - f_(n-1)) / dt_n, committed
+	btScalar m_lastStep = 0;  ///< dt_n, 0: none
 };
 
 /// k e_n within the yield value.
@@ -78,7 +79,9 @@ inline btElasticPlasticRow btElasticPlasticImplicitRow(const btElasticPlasticDof
 {
 	const btScalar a = s.m_stiffness * dt * dt * diagonal;
 	// a / (a + 4) written so that a = infinity is no NaN.
-	const btScalar gamma = btScalar(0.5) + (a > 1 ? 1 / (1 + 4 / a) : a / (a + 4));
+	// A step that changes in time with the swing would feed it; so a changed one dissipates.
+	const btScalar change = s.m_lastStep > 0 ? btFabs(dt - s.m_lastStep) / (dt + s.m_lastStep) : btScalar(0);
+	const btScalar gamma = btScalar(0.5) + btMin(btScalar(1), (a > 1 ? 1 / (1 + 4 / a) : a / (a + 4)) + change);
 	const btScalar alpha = (gamma + btScalar(0.5)) * (gamma + btScalar(0.5)) / 4;
 	const btScalar beta = btScalar(0.5) + alpha - gamma;
 	const btScalar c = (1 - alpha) * s.m_force - beta * dt * s.m_forceRate;
@@ -105,14 +108,15 @@ inline btElasticPlasticRow btElasticPlasticExplicitRow(btScalar force, btScalar 
 
 /// Row for Bullet's own solvers. They multiply the impulse by C / A but leave C out of the diagonal, so that their iteration
 /// grows for C >= A, that is for a <= 1: there the spring is resolved by the step, and its force is applied explicitly
-/// (symplectic Euler, stable below a = 4). Above, backward Euler with C / A = 1 / a < 1.
+/// (symplectic Euler, stable below a = 4). Above, backward Euler with C / A = 1 / a; coupled rows need more distance from 1,
+/// so where 1 / a > 1/2 the row gets less compliance with the spring's own force: the same spring, damped more.
 inline btElasticPlasticRow btElasticPlasticStockRow(const btElasticPlasticDofState& s, btScalar diagonal, btScalar dt)
 {
 	if (s.m_stiffness * dt * dt * diagonal < 1)
 		return btElasticPlasticExplicitRow(btElasticPlasticClampedForce(s), dt);
 	btElasticPlasticRow row;
-	row.m_compliance = 1 / (s.m_stiffness * dt * dt);
-	row.m_velocity = s.m_strain / dt;
+	row.m_compliance = btMin(1 / (s.m_stiffness * dt * dt), btScalar(0.5) * diagonal);
+	row.m_velocity = row.m_compliance * s.m_stiffness * dt * s.m_strain;
 	row.m_lower = -dt * s.m_yield;
 	row.m_upper = dt * s.m_yield;
 	return row;

@@ -25,6 +25,8 @@ struct btElasticPlasticState
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
 	btQuaternion m_plasticRotation = btQuaternion(0, 0, 0, 1);  ///< turn of the reference, in frame A
+	btQuaternion m_plasticMiddle =
+		btQuaternion(0, 0, 0, 1);    ///< the half of it that belongs to A: the unstrained mid frame, in frame A
 	btScalar m_plastic[6] = {};      ///< plastic deformation, signed sum of increments [m], [rad]
 	btScalar m_initial[3] = {};      ///< offset of the frames at which the joint is free of force [m], not plastic
 	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
@@ -34,6 +36,7 @@ struct btElasticPlasticState
 	// In double whatever Bullet's precision: sums over many steps.
 	double m_work = 0;           ///< taken from the bodies [J]
 	double m_plasticEnergy = 0;  ///< dissipated by plastic flow, force at yield times path [J]
+	btScalar m_lastStep = 0;     ///< [s]
 	bool m_yielded = false;      ///< has flowed at least once
 	bool m_broken = false;
 
