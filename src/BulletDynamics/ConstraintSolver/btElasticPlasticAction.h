@@ -27,7 +27,7 @@ class btDynamicsWorld;
 /// Once per substep it commits every joint that was solved, takes broken ones out of the world, and reports events.
 /// A broken joint whose bodies overlap stays in the world without rows until they have parted, see btElasticPlasticParting.h.
 ///
-/// It owns nothing. Joints may be deleted, removed from the world or from here, in any order; so may the action.
+/// It owns nothing. Joints may be deleted, removed from the world or from here, in any order, before the world; so may the action.
 /// As in Bullet, a body must not leave the world before its constraints do: removeBody() takes care of that.
 class btElasticPlasticAction : public btActionInterface
 {

@@ -120,7 +120,7 @@ public:
 	/// What keeps the joint out of the simulation, false if nothing does.
 	const btElasticPlasticFault& fault() const { return m_fault; }
 
-	/// "joint 'name' (bodies at ... and ...): quantity is value; it must be range", always terminated.
+	/// "joint 'name' (id i) at (x, y, z): quantity is value; it must be range", always terminated.
 	void printFault(char* text, int capacity) const;
 
 	const btElasticPlasticState& getState() const { return m_state; }
