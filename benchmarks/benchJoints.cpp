@@ -31,7 +31,8 @@ const char* const NAMES[] = {"fixed", "spring2", "ep", "ep2", "ep2_ours", "half_
 class Structure
 {
 public:
-	Structure(Kind kind, bool wall, int joints) : m_kind(kind), m_world(kind == Kind::ElasticPlastic2Ours ? Solver::Iterative : Solver::Stock)
+	Structure(Kind kind, bool wall, int joints)
+		: m_kind(kind), m_world(kind == Kind::ElasticPlastic2Ours ? Solver::Iterative : Solver::Stock)
 	{
 		const int height = wall ? std::max(2, int(sqrt(joints / 2.))) : 1, width = wall ? height : joints;
 		btCollisionShape* block = m_world.box(btVector3(1, 1, 1));
@@ -47,13 +48,17 @@ public:
 				if (x > 0 || !wall)
 					join(x > 0 ? *bodies[y * width + x - 1] : *ground, *body, btTransform(along, place - half));
 				if (wall)
-					join(y > 0 ? *bodies[(y - 1) * width + x] : *ground, *body, btTransform(up, place - btVector3(0, btScalar(0.5), 0)));
+					join(y > 0 ? *bodies[(y - 1) * width + x] : *ground, *body,
+						 btTransform(up, place - btVector3(0, btScalar(0.5), 0)));
 			}
 		// To be in the middle of things, half of the joints broken where they are to be. All bodies move differently, in all
 		// directions: where nothing happens, numbers die out into denormal ones, which cost ten times as much.
 		unsigned random = 1;
 		const auto next = [&random]
-		{ return btScalar(1e-3) * (btScalar((random = random * 1664525u + 1013904223u) >> 8) / btScalar(1 << 24) - btScalar(0.5)); };
+		{
+			return btScalar(1e-3) *
+				   (btScalar((random = random * 1664525u + 1013904223u) >> 8) / btScalar(1 << 24) - btScalar(0.5));
+		};
 		for (int i = 0; i < 10; ++i)
 		{
 			m_velocities.clear();
@@ -91,7 +96,8 @@ public:
 		world.getSolverInfo().m_timeStep = btScalar(1) / 60;
 		const auto begin = std::chrono::steady_clock::now();
 		world.getConstraintSolver()->solveGroup(m_bodies.data(), int(m_bodies.size()), nullptr, 0, m_constraints.data(),
-												int(m_constraints.size()), world.getSolverInfo(), nullptr, world.getDispatcher());
+												int(m_constraints.size()), world.getSolverInfo(), nullptr,
+												world.getDispatcher());
 		if (m_kind != Kind::Fixed && m_kind != Kind::Spring2)
 			m_world.action().updateAction(&world, btScalar(1) / 60);
 		const auto end = std::chrono::steady_clock::now();
@@ -102,7 +108,8 @@ public:
 private:
 	void join(btRigidBody& a, btRigidBody& b, const btTransform& frame)
 	{
-		const btTransform inA = a.getCenterOfMassTransform().inverse() * frame, inB = b.getCenterOfMassTransform().inverse() * frame;
+		const btTransform inA = a.getCenterOfMassTransform().inverse() * frame,
+						  inB = b.getCenterOfMassTransform().inverse() * frame;
 		const int index = m_joints++;
 		if (m_kind == Kind::Fixed)
 		{
@@ -176,6 +183,11 @@ void Joints(benchmark::State& state, bool wall)
 	state.counters["bytes_ep2"] = sizeof(btElasticPlastic6DofSpring2Constraint);
 }
 
-BENCHMARK_CAPTURE(Joints, chain, false)->Arg(100)->Arg(1000)->Arg(10000)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Joints, chain, false)
+	->Arg(100)
+	->Arg(1000)
+	->Arg(10000)
+	->UseManualTime()
+	->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(Joints, wall, true)->Arg(100)->Arg(1000)->Arg(10000)->UseManualTime()->Unit(benchmark::kMillisecond);
 }  // namespace

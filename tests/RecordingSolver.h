@@ -86,8 +86,10 @@ private:
 		btSolverBody& b = m_tmpSolverBodyPool[friction.m_solverBodyIdB];
 		const btScalar impulse = point.m_appliedImpulseLateral1 * factor;
 		friction.m_appliedImpulse = impulse;
-		a.internalApplyImpulse(friction.m_contactNormal1 * a.internalGetInvMass(), friction.m_angularComponentA, impulse);
-		b.internalApplyImpulse(friction.m_contactNormal2 * b.internalGetInvMass(), friction.m_angularComponentB, impulse);
+		a.internalApplyImpulse(friction.m_contactNormal1 * a.internalGetInvMass(), friction.m_angularComponentA,
+							   impulse);
+		b.internalApplyImpulse(friction.m_contactNormal2 * b.internalGetInvMass(), friction.m_angularComponentB,
+							   impulse);
 	}
 
 	const bool m_warmStartsFriction;

@@ -28,13 +28,15 @@ struct Row
 		for (int i = 0; i < count; ++i)
 		{
 			const btVector3 place(btScalar(2 * i), -1, 0);
-			btRigidBody* block = m_world.body(100, m_world.box(btVector3(1, 1, 1)), btTransform(btQuaternion(0, 0, 0, 1), place), false);
+			btRigidBody* block =
+				m_world.body(100, m_world.box(btVector3(1, 1, 1)), btTransform(btQuaternion(0, 0, 0, 1), place), false);
 			btElasticPlasticCapacity capacity;
 			for (int d = 0; d < BT_EP_DOF_COUNT; ++d)
 				capacity.set(d, btScalar(1e7), 800, btScalar(ductility));
-			m_joints.push_back(m_world.joint(*m_ceiling, *block,
-											 btTransform(btQuaternion(btVector3(0, 0, 1), -SIMD_HALF_PI), place + btVector3(0, btScalar(0.5), 0)),
-											 capacity));
+			m_joints.push_back(m_world.joint(
+				*m_ceiling, *block,
+				btTransform(btQuaternion(btVector3(0, 0, 1), -SIMD_HALF_PI), place + btVector3(0, btScalar(0.5), 0)),
+				capacity));
 		}
 	}
 
@@ -256,8 +258,9 @@ TEST(Action, LetsAListenerDeleteJoints)
 	row.m_world.action().setListener(&reaper);
 	for (int i = 0; i < 3; ++i)
 	{
-		btRigidBody* block = row.m_world.body(100, row.m_world.box(btVector3(1, 1, 1)),
-											  btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(2 * i), -1, 0)), false);
+		btRigidBody* block =
+			row.m_world.body(100, row.m_world.box(btVector3(1, 1, 1)),
+							 btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(2 * i), -1, 0)), false);
 		reaper.m_joints.emplace_back(new btElasticPlastic6DofSpring2Constraint(*block, btTransform::getIdentity()));
 		btElasticPlasticCapacity capacity;
 		capacity.set(BT_EP_SHEAR_Y, btScalar(1e6), 500, btScalar(0.01));
@@ -317,7 +320,8 @@ struct BentBreak
 		for (int d = 0; d < BT_EP_DOF_COUNT; ++d)
 			capacity.set(d, btScalar(1e8), btScalar(1e6));
 		capacity.set(BT_EP_BENDING_Z, btScalar(1e6), 2000, btScalar(0.6));
-		m_joint = m_world.joint(*m_a, *m_b, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.5), 0, 0)), capacity);
+		m_joint =
+			m_world.joint(*m_a, *m_b, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.5), 0, 0)), capacity);
 		m_b->setAngularVelocity(btVector3(0, 0, 4));
 		m_a->setAngularVelocity(btVector3(0, 0, -4));
 	}
@@ -376,7 +380,8 @@ TEST(Parting, StillLetsBodiesRestOnEachOther)
 	for (int d = 0; d < BT_EP_DOF_COUNT; ++d)
 		capacity.set(d, btScalar(1e7), 8000, btScalar(0.1));
 	btElasticPlasticJoint* joint = world.joint(
-		*lower, *upper, btTransform(btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI), btVector3(0, btScalar(0.5), 0)), capacity);
+		*lower, *upper, btTransform(btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI), btVector3(0, btScalar(0.5), 0)),
+		capacity);
 	for (int i = 0; i < 480; ++i)
 		world.step(btScalar(1) / 240);
 	ASSERT_TRUE(joint->isBroken());

@@ -34,10 +34,7 @@ struct Printed
 
 const Printed NotPrinted;
 
-Printed rounded(double value, double unit)
-{
-	return Printed(value - unit / 2, value + unit / 2);
-}
+Printed rounded(double value, double unit) { return Printed(value - unit / 2, value + unit / 2); }
 
 /// Some of the paper's digits are cut off instead of rounded; only where stated below.
 Printed cut(double value, double unit)
@@ -83,7 +80,8 @@ struct TableRow
 	Printed m_velocity;      // m/s
 	Printed m_impulse;       // N s
 	Printed m_plastic;       // m
-	const char* m_differs = "";         // columns that are not the printed ones with friction's warm start; the reason stands there
+	const char* m_differs =
+		"";  // columns that are not the printed ones with friction's warm start; the reason stands there
 	const char* m_differsInStock = "";  // ... as Bullet is now
 };
 
@@ -118,11 +116,12 @@ struct Seen
 
 	std::string print() const
 	{
-		std::string text = "location " + std::to_string(m_location) + " velocity " + std::to_string(m_velocity) + " impulse " +
-						   std::to_string(m_impulse) + " plastic " + std::to_string(m_plastic);
+		std::string text = "location " + std::to_string(m_location) + " velocity " + std::to_string(m_velocity) +
+						   " impulse " + std::to_string(m_impulse) + " plastic " + std::to_string(m_plastic);
 		for (const SolverRow& row : m_rows)
-			text += "\n  velError " + std::to_string(row.m_velError) + " penetration " + std::to_string(row.m_penetration) +
-					" posError " + std::to_string(row.m_posError) + " rhs " + std::to_string(row.m_rhs);
+			text += "\n  velError " + std::to_string(row.m_velError) + " penetration " +
+					std::to_string(row.m_penetration) + " posError " + std::to_string(row.m_posError) + " rhs " +
+					std::to_string(row.m_rhs);
 		return text;
 	}
 };
@@ -195,7 +194,8 @@ void compareContacts(const TableRow (&table)[numRows], bool continuous, bool war
 		recorded.stepTo(row.m_step);
 		const Seen seen = recorded.seenContacts();
 		EXPECT_EQ(warmStartsFriction ? row.m_differs : row.m_differsInStock, seen.differing(row))
-			<< "step " << row.m_step << (warmStartsFriction ? ", friction warm started: " : ", stock: ") << seen.print();
+			<< "step " << row.m_step << (warmStartsFriction ? ", friction warm started: " : ", stock: ")
+			<< seen.print();
 	}
 }
 
@@ -219,23 +219,71 @@ TEST(BlockUnderTension, TableV)
 		{32, rounded(-1.467, 0.001), {}, {}, {}, {}, rounded(-5.33, 0.01), NotPrinted, {}},
 		{33, rounded(-1.558, 0.001), {}, {}, {}, {}, rounded(-5.5, 0.1), NotPrinted, {}},
 		// Four equal contacts. posError acts by split impulse: rhs is velError alone.
-		{34, rounded(-1.511, 0.001), rounded(5.67, 0.01), rounded(-0.058, 0.001), rounded(2.8, 0.1), rounded(21270, 10),
-		 rounded(0.01, 0.01), rounded(34000, 1000), {}},
+		{34,
+		 rounded(-1.511, 0.001),
+		 rounded(5.67, 0.01),
+		 rounded(-0.058, 0.001),
+		 rounded(2.8, 0.1),
+		 rounded(21270, 10),
+		 rounded(0.01, 0.01),
+		 rounded(34000, 1000),
+		 {}},
 		// The printed impulse lost a digit: it is 4233, see below.
-		{35, rounded(-1.502, 0.001), rounded(0.14, 0.01), rounded(-0.011, 0.001), rounded(0.54, 0.01), rounded(2570, 10),
-		 rounded(0.55, 0.01), rounded(420, 10), {}, "impulse", "impulse"},
-		{36, rounded(-1.496, 0.001), rounded(-0.38, 0.01), rounded(-0.002, 0.001), rounded(0.1, 0.1), rounded(-1000, 100),
-		 rounded(0.38, 0.01), rounded(0, 1), {}},
+		{35,
+		 rounded(-1.502, 0.001),
+		 rounded(0.14, 0.01),
+		 rounded(-0.011, 0.001),
+		 rounded(0.54, 0.01),
+		 rounded(2570, 10),
+		 rounded(0.55, 0.01),
+		 rounded(420, 10),
+		 {},
+		 "impulse",
+		 "impulse"},
+		{36,
+		 rounded(-1.496, 0.001),
+		 rounded(-0.38, 0.01),
+		 rounded(-0.002, 0.001),
+		 rounded(0.1, 0.1),
+		 rounded(-1000, 100),
+		 rounded(0.38, 0.01),
+		 rounded(0, 1),
+		 {}},
 		// rhs is -1652, cut to hundreds. From here on friction's warm start shows.
-		{37, rounded(-1.492, 0.001), rounded(-0.44, 0.01), rounded(0.004, 0.001), rounded(0, 0.01), cut(-1600, 100),
-		 rounded(0.22, 0.01), rounded(0, 1), {}, "", "velError rhs"},
+		{37,
+		 rounded(-1.492, 0.001),
+		 rounded(-0.44, 0.01),
+		 rounded(0.004, 0.001),
+		 rounded(0, 0.01),
+		 cut(-1600, 100),
+		 rounded(0.22, 0.01),
+		 rounded(0, 1),
+		 {},
+		 "",
+		 "velError rhs"},
 		// Two contacts, on one edge. velError 0.086 and posError 0.016 are cut to 0.08 and 0.01. The velocity is -0.099,
 		// ten times the printed one, see below.
-		{43, rounded(-1.497, 0.001), {rounded(0.004, 0.001), cut(0.08, 0.01)},
-		 {rounded(-0.0003, 0.0001), rounded(0.001, 0.001)}, {rounded(0, 0.01), cut(0.01, 0.01)},
-		 {rounded(10, 10), rounded(400, 100)}, rounded(-0.01, 0.01), rounded(400, 100), {}, "velocity",
+		{43,
+		 rounded(-1.497, 0.001),
+		 {rounded(0.004, 0.001), cut(0.08, 0.01)},
+		 {rounded(-0.0003, 0.0001), rounded(0.001, 0.001)},
+		 {rounded(0, 0.01), cut(0.01, 0.01)},
+		 {rounded(10, 10), rounded(400, 100)},
+		 rounded(-0.01, 0.01),
+		 rounded(400, 100),
+		 {},
+		 "velocity",
 		 "location velError penetration posError rhs velocity impulse"},
-		{49, rounded(-1.499, 0.001), {}, {}, {}, {}, rounded(-0.08, 0.01), rounded(700, 100), {}, "",
+		{49,
+		 rounded(-1.499, 0.001),
+		 {},
+		 {},
+		 {},
+		 {},
+		 rounded(-0.08, 0.01),
+		 rounded(700, 100),
+		 {},
+		 "",
 		 "location velocity impulse"},
 		{55, rounded(-1.500, 0.001), {}, {}, {}, {}, rounded(-0.001, 0.001), rounded(1000, 100), {}, "", "velocity"},
 	};
@@ -259,16 +307,44 @@ TEST(BlockUnderTension, TableVI)
 	// The text says that posError is zero all the time; the table has no such column.
 	const TableRow table[] = {
 		{1, rounded(-0.003, 0.001), {}, {}, {}, {}, rounded(-0.17, 0.01), rounded(0, 1), {}},
-		{33, rounded(-1.500, 0.001), rounded(3.5, 0.1), rounded(0.033, 0.001), rounded(0, 0.01), rounded(21000, 1000),
-		 rounded(-2, 0.1), rounded(21000, 1000), {}},
-		{34, rounded(-1.500, 0.001), rounded(2.17, 0.01), rounded(0, 0.001), rounded(0, 0.01), rounded(8100, 100),
-		 rounded(0.01, 0.01), rounded(13000, 1000), {}},
+		{33,
+		 rounded(-1.500, 0.001),
+		 rounded(3.5, 0.1),
+		 rounded(0.033, 0.001),
+		 rounded(0, 0.01),
+		 rounded(21000, 1000),
+		 rounded(-2, 0.1),
+		 rounded(21000, 1000),
+		 {}},
+		{34,
+		 rounded(-1.500, 0.001),
+		 rounded(2.17, 0.01),
+		 rounded(0, 0.001),
+		 rounded(0, 0.01),
+		 rounded(8100, 100),
+		 rounded(0.01, 0.01),
+		 rounded(13000, 1000),
+		 {}},
 		// velocity -0.0056 is cut to 0
-		{35, rounded(-1.500, 0.001), rounded(0.15, 0.01), rounded(0, 0.001), rounded(0, 0.01), rounded(600, 100),
-		 cut(0, 0.01), rounded(937, 1), {}},
+		{35,
+		 rounded(-1.500, 0.001),
+		 rounded(0.15, 0.01),
+		 rounded(0, 0.001),
+		 rounded(0, 0.01),
+		 rounded(600, 100),
+		 cut(0, 0.01),
+		 rounded(937, 1),
+		 {}},
 		// velError 0.175 and rhs 657 are cut to 0.17 and 600
-		{36, rounded(-1.500, 0.001), cut(0.17, 0.01), rounded(0, 0.001), rounded(0, 0.01), cut(600, 100),
-		 rounded(0, 0.01), rounded(1040, 10), {}},
+		{36,
+		 rounded(-1.500, 0.001),
+		 cut(0.17, 0.01),
+		 rounded(0, 0.001),
+		 rounded(0, 0.01),
+		 cut(600, 100),
+		 rounded(0, 0.01),
+		 rounded(1040, 10),
+		 {}},
 	};
 	compareContacts(table, true, true);
 	compareContacts(table, true, false);
@@ -278,14 +354,42 @@ TEST(BlockUnderTension, TableVII)
 {
 	const TableRow table[] = {
 		{1, rounded(-0.0028, 0.0001), {}, {}, {}, {}, rounded(-0.17, 0.01), rounded(0, 1), {}},
-		{2, rounded(-0.0022, 0.0001), rounded(-0.33, 0.01), {}, rounded(-0.033, 0.001), rounded(-2200, 10),
-		 rounded(0.033, 0.001), rounded(2200, 10), {}},
-		{3, rounded(-0.0018, 0.0001), rounded(-0.13, 0.01), {}, rounded(-0.027, 0.001), rounded(-960, 10),
-		 rounded(0.027, 0.001), rounded(960, 10), {}},
-		{4, rounded(-0.0014, 0.0001), rounded(-0.14, 0.01), {}, rounded(-0.021, 0.001), rounded(-970, 10),
-		 rounded(0.021, 0.001), rounded(970, 10), {}},
-		{21, rounded(0, 0.0001), rounded(-0.17, 0.01), {}, rounded(0, 0.001), rounded(-1000, 10), rounded(0, 0.1),
-		 rounded(1000, 10), {}},
+		{2,
+		 rounded(-0.0022, 0.0001),
+		 rounded(-0.33, 0.01),
+		 {},
+		 rounded(-0.033, 0.001),
+		 rounded(-2200, 10),
+		 rounded(0.033, 0.001),
+		 rounded(2200, 10),
+		 {}},
+		{3,
+		 rounded(-0.0018, 0.0001),
+		 rounded(-0.13, 0.01),
+		 {},
+		 rounded(-0.027, 0.001),
+		 rounded(-960, 10),
+		 rounded(0.027, 0.001),
+		 rounded(960, 10),
+		 {}},
+		{4,
+		 rounded(-0.0014, 0.0001),
+		 rounded(-0.14, 0.01),
+		 {},
+		 rounded(-0.021, 0.001),
+		 rounded(-970, 10),
+		 rounded(0.021, 0.001),
+		 rounded(970, 10),
+		 {}},
+		{21,
+		 rounded(0, 0.0001),
+		 rounded(-0.17, 0.01),
+		 {},
+		 rounded(0, 0.001),
+		 rounded(-1000, 10),
+		 rounded(0, 0.1),
+		 rounded(1000, 10),
+		 {}},
 	};
 	Recorded recorded(paperBlock(false));
 	const BlockUnderTension& block = recorded.m_block;
@@ -314,16 +418,51 @@ void compareElasticPlastic(const TableRow (&table)[numRows], ep::JointClass join
 TEST(BlockUnderTension, TableIX)
 {
 	const TableRow table[] = {
-		{1, rounded(-0.0028, 0.0001), rounded(-0.17, 0.01), {}, {}, rounded(-1000, 10), rounded(-0.17, 0.01), rounded(0, 1),
+		{1,
+		 rounded(-0.0028, 0.0001),
+		 rounded(-0.17, 0.01),
+		 {},
+		 {},
+		 rounded(-1000, 10),
+		 rounded(-0.17, 0.01),
+		 rounded(0, 1),
 		 rounded(0, 0.001)},
-		{2, rounded(-0.0046, 0.0001), rounded(-0.33, 0.01), {}, {}, rounded(-2000, 10), rounded(-0.11, 0.01),
-		 rounded(1330, 10), rounded(0.001, 0.001)},
-		{3, rounded(-0.0056, 0.0001), rounded(-0.28, 0.01), {}, {}, rounded(-1670, 10), rounded(-0.056, 0.001),
-		 rounded(1330, 10), rounded(0.003, 0.001)},
-		{4, rounded(-0.0056, 0.0001), rounded(-0.22, 0.01), {}, {}, rounded(-1340, 10), rounded(-0.001, 0.001),
-		 rounded(1330, 10), rounded(0.004, 0.001)},
+		{2,
+		 rounded(-0.0046, 0.0001),
+		 rounded(-0.33, 0.01),
+		 {},
+		 {},
+		 rounded(-2000, 10),
+		 rounded(-0.11, 0.01),
+		 rounded(1330, 10),
+		 rounded(0.001, 0.001)},
+		{3,
+		 rounded(-0.0056, 0.0001),
+		 rounded(-0.28, 0.01),
+		 {},
+		 {},
+		 rounded(-1670, 10),
+		 rounded(-0.056, 0.001),
+		 rounded(1330, 10),
+		 rounded(0.003, 0.001)},
+		{4,
+		 rounded(-0.0056, 0.0001),
+		 rounded(-0.22, 0.01),
+		 {},
+		 {},
+		 rounded(-1340, 10),
+		 rounded(-0.001, 0.001),
+		 rounded(1330, 10),
+		 rounded(0.004, 0.001)},
 		// What is left of the velocity, 0.0008 m/s, makes it 1005.8: the paper's 1000 are whole hundreds.
-		{5, rounded(-0.0056, 0.0001), rounded(-0.17, 0.01), {}, {}, rounded(-1000, 100), rounded(0, 0.1), rounded(1000, 100),
+		{5,
+		 rounded(-0.0056, 0.0001),
+		 rounded(-0.17, 0.01),
+		 {},
+		 {},
+		 rounded(-1000, 100),
+		 rounded(0, 0.1),
+		 rounded(1000, 100),
 		 rounded(0.004, 0.001)},
 	};
 	compareElasticPlastic(table, ep::JointClass::Spring);
@@ -342,8 +481,15 @@ TEST(BlockUnderTension, TableIX)
 
 TEST(BlockUnderTension, TableX)
 {
-	const TableRow still = {1,  rounded(0, 0.0001), rounded(-0.17, 0.01), {}, {}, rounded(-1000, 10), rounded(0, 0.001),
-							rounded(1000, 10), rounded(0, 0.0001)};
+	const TableRow still = {1,
+							rounded(0, 0.0001),
+							rounded(-0.17, 0.01),
+							{},
+							{},
+							rounded(-1000, 10),
+							rounded(0, 0.001),
+							rounded(1000, 10),
+							rounded(0, 0.0001)};
 	TableRow table[] = {still, still, still};
 	table[1].m_step = 2;
 	table[2].m_step = 60;

@@ -23,7 +23,8 @@ struct Hinge
 	double m_kinetic;
 
 	/// \param angle  that the spin's energy is to bend it [rad]
-	Hinge(Solver solver, JointClass jointClass, int dof, double angle, double sign, bool bodyFirst, const btQuaternion& turn)
+	Hinge(Solver solver, JointClass jointClass, int dof, double angle, double sign, bool bodyFirst,
+		  const btQuaternion& turn)
 		: m_world(solver, btVector3(0, 0, 0)), m_dof(dof)
 	{
 		// Cube: inertia m a^2 / 6 about every axis, so that Bullet's gyroscopic term has no part in it.
@@ -56,8 +57,9 @@ TEST(Hinge, StopsATurningBodyAtAnyBend)
 						{
 							const double angle = 170 * M_PI / 180;
 							Hinge hinge(solver, jointClass, dof, angle, sign, bodyFirst, turn);
-							SCOPED_TRACE(testing::Message() << "solver " << int(solver) << " class " << int(jointClass)
-															<< " dof " << dof << " sign " << sign << " first " << bodyFirst);
+							SCOPED_TRACE(testing::Message()
+										 << "solver " << int(solver) << " class " << int(jointClass) << " dof " << dof
+										 << " sign " << sign << " first " << bodyFirst);
 							double last = 0;
 							for (int i = 0; i < 960; ++i)
 							{
@@ -69,9 +71,11 @@ TEST(Hinge, StopsATurningBodyAtAnyBend)
 							}
 							// energy = M (angle - elastic part); the sum over steps is off by at most one step of motion.
 							EXPECT_NEAR(hinge.m_kinetic / Hinge::MOMENT, last, Hinge::SPIN * dt);
-							EXPECT_NEAR(hinge.m_kinetic, hinge.m_joint->getPlasticEnergy(), Hinge::MOMENT * Hinge::SPIN * dt);
+							EXPECT_NEAR(hinge.m_kinetic, hinge.m_joint->getPlasticEnergy(),
+										Hinge::MOMENT * Hinge::SPIN * dt);
 							// Bent the way it turned: as seen from body A, by the relative rotation of B.
-							EXPECT_NEAR((bodyFirst ? -sign : sign) * last, hinge.m_joint->getPlasticDeformation(dof), 1e-3);
+							EXPECT_NEAR((bodyFirst ? -sign : sign) * last, hinge.m_joint->getPlasticDeformation(dof),
+										1e-3);
 							for (int other = 0; other < BT_EP_DOF_COUNT; ++other)
 								EXPECT_EQ(other == dof, hinge.m_joint->getPlasticPath(other) > 0);
 							// Audit: what the body lost, the joint has.
@@ -109,8 +113,10 @@ struct Chain
 		for (int i = 0; i < LINKS; ++i)
 		{
 			const btScalar x = btScalar(0.5 * i);
-			btRigidBody* next = m_world.body(200, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.25) + x, 0, 0)), false);
-			m_world.joint(*last, *next, btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, 0, 0)), capacity, jointClass);
+			btRigidBody* next = m_world.body(
+				200, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.25) + x, 0, 0)), false);
+			m_world.joint(*last, *next, btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, 0, 0)), capacity,
+						  jointClass);
 			last = next;
 		}
 		last->setLinearVelocity(btVector3(1, -2, 0));
@@ -156,7 +162,8 @@ TEST(Energy, IsAudited)
 					}
 					EXPECT_NEAR(0, chain.m_world.kineticEnergy() + chain.work() - gravity - before,
 								byPrecision(1e-9, 1e-5) * turnover)
-						<< "solver " << int(solver) << " class " << int(jointClass) << " ductility " << ductility << " rate " << rate;
+						<< "solver " << int(solver) << " class " << int(jointClass) << " ductility " << ductility
+						<< " rate " << rate;
 					bool yielded = false, broken = false;
 					for (const btElasticPlasticJoint* joint : chain.m_world.joints())
 					{
@@ -184,7 +191,8 @@ TEST(Energy, SplitsIntoElasticPlasticAndNumerical)
 		EXPECT_NEAR(elastic, joint->getElasticEnergy(), 1e-6 * (1 + elastic));
 		// Float sums over 240 increments of the path against the double sum of energy.
 		EXPECT_NEAR(plastic, joint->getPlasticEnergy(), byPrecision(1e-9, 1e-5) * (1 + plastic));
-		EXPECT_NEAR(joint->getWork(), joint->getElasticEnergy() + joint->getPlasticEnergy() + joint->getNumericalEnergy(),
+		EXPECT_NEAR(joint->getWork(),
+					joint->getElasticEnergy() + joint->getPlasticEnergy() + joint->getNumericalEnergy(),
 					1e-9 * (1 + fabs(joint->getWork())));
 	}
 }

@@ -47,8 +47,10 @@ TEST(Section, TorsionOfTheRectangleThreeWays)
 {
 	const double tau = 1e8, b = 0.01;
 	const double exact = tau * Section::rectangle(btScalar(b), btScalar(b)).m_plasticTorsionModulus;
-	const double paper = tau * Section::rectangle(btScalar(b), btScalar(b), BT_EP_TORSION_PAPER).m_plasticTorsionModulus;
-	const double polar = tau * Section::rectangle(btScalar(b), btScalar(b), BT_EP_TORSION_POLAR).m_plasticTorsionModulus;
+	const double paper =
+		tau * Section::rectangle(btScalar(b), btScalar(b), BT_EP_TORSION_PAPER).m_plasticTorsionModulus;
+	const double polar =
+		tau * Section::rectangle(btScalar(b), btScalar(b), BT_EP_TORSION_POLAR).m_plasticTorsionModulus;
 	expectClose(tau * b * b * b / 3, exact);
 	expectClose(0.19 * b * b * b * 200e6, paper);
 	// Figure 5 prints 38.2; the integral is 38.26.
@@ -58,8 +60,12 @@ TEST(Section, TorsionOfTheRectangleThreeWays)
 	// Flat: "4.3 to 5.2 times too high at h/b = 10".
 	const double flat = Section::rectangle(btScalar(0.01), btScalar(0.1)).m_plasticTorsionModulus;
 	expectClose(1e-4 * (0.3 - 0.01) / 6, flat);
-	EXPECT_NEAR(4.3, Section::rectangle(btScalar(0.01), btScalar(0.1), BT_EP_TORSION_PAPER).m_plasticTorsionModulus / flat, 0.05);
-	EXPECT_NEAR(5.2, Section::rectangle(btScalar(0.01), btScalar(0.1), BT_EP_TORSION_POLAR).m_plasticTorsionModulus / flat, 0.05);
+	EXPECT_NEAR(4.3,
+				Section::rectangle(btScalar(0.01), btScalar(0.1), BT_EP_TORSION_PAPER).m_plasticTorsionModulus / flat,
+				0.05);
+	EXPECT_NEAR(5.2,
+				Section::rectangle(btScalar(0.01), btScalar(0.1), BT_EP_TORSION_POLAR).m_plasticTorsionModulus / flat,
+				0.05);
 }
 
 /// Integrates over a section that is given as inside(y, z), by midpoints.
@@ -129,7 +135,8 @@ TEST(Section, RoundAndHollow)
 	expectClose(2 * 0.999 * 1.999 * 0.001, box.m_plasticTorsionModulus, 2e-3);
 	expectClose(2 * 0.001 * pow(0.999 * 1.999, 2) / 2.998, box.m_torsionConstant, 1e-4);
 	// Walls that fill the section make it solid.
-	expectClose(Section::circle(1).m_plasticTorsionModulus, Section::hollowCircle(1, btScalar(0.9999)).m_plasticTorsionModulus, 1e-6);
+	expectClose(Section::circle(1).m_plasticTorsionModulus,
+				Section::hollowCircle(1, btScalar(0.9999)).m_plasticTorsionModulus, 1e-6);
 	expectClose(Section::rectangle(1, 2).m_plasticTorsionModulus,
 				Section::hollowRectangle(1, 2, btScalar(0.49999)).m_plasticTorsionModulus, 1e-4);
 }
@@ -138,7 +145,8 @@ TEST(Capacity, TableIV)
 {
 	// b wide, h high, Tresca: shear 0.5 b h fy, normal b h fy, bending 0.25 b h^2 fy and 0.25 b^2 h fy, torque 0.19 b h (b+h)/2 fy.
 	const double b = 0.02, h = 0.03, fy = 200e6;
-	const Capacity c = Capacity::fromMember(Material::steel(), Section::rectangle(btScalar(b), btScalar(h), BT_EP_TORSION_PAPER), 1, 1);
+	const Capacity c = Capacity::fromMember(Material::steel(),
+											Section::rectangle(btScalar(b), btScalar(h), BT_EP_TORSION_PAPER), 1, 1);
 	ASSERT_FALSE(c.fault());
 	expectClose(b * h * fy, c.m_yield[BT_EP_AXIAL]);
 	expectClose(0.5 * b * h * fy, c.m_yield[BT_EP_SHEAR_Y]);
@@ -158,7 +166,8 @@ TEST(Capacity, TableIV)
 TEST(Capacity, PapersBlock)
 {
 	// 0.04 % steel on 1 m^2: 80 kN, and 53.33 MN/m over the half length of 1.5 m; the support has no length.
-	const Capacity c = Capacity::fromMember(Material::reinforcedConcrete(btScalar(0.0004)), Section::rectangle(1, 1), 0, 3);
+	const Capacity c =
+		Capacity::fromMember(Material::reinforcedConcrete(btScalar(0.0004)), Section::rectangle(1, 1), 0, 3);
 	expectClose(80e3, c.m_yield[BT_EP_AXIAL]);
 	expectClose(200e9 * 0.0004 / 1.5, c.m_stiffness[BT_EP_AXIAL]);
 	EXPECT_EQ(2000, Material::reinforcedConcrete(btScalar(0.0004)).m_density);
@@ -177,9 +186,11 @@ TEST(Capacity, StiffnessOfAMember)
 	const double bends = l * l * l / (12 * E * 0.1 * 8e-3 / 12), shears = l / (G * 0.02 * 5 / 6);
 	expectClose(1 / (bends + shears), c.m_stiffness[BT_EP_SHEAR_Y]);
 	// The stiffness is that of the half lengths together; a part at a rigid support counts alone.
-	expectClose(2 * c.m_stiffness[BT_EP_AXIAL], Capacity::fromMember(Material::steel(), s, btScalar(l), 0).m_stiffness[BT_EP_AXIAL]);
-	expectClose(c.m_stiffness[BT_EP_AXIAL],
-				Capacity::fromMember(Material::steel(), s, btScalar(0.25 * l), btScalar(1.75 * l)).m_stiffness[BT_EP_AXIAL]);
+	expectClose(2 * c.m_stiffness[BT_EP_AXIAL],
+				Capacity::fromMember(Material::steel(), s, btScalar(l), 0).m_stiffness[BT_EP_AXIAL]);
+	expectClose(
+		c.m_stiffness[BT_EP_AXIAL],
+		Capacity::fromMember(Material::steel(), s, btScalar(0.25 * l), btScalar(1.75 * l)).m_stiffness[BT_EP_AXIAL]);
 }
 
 TEST(Capacity, DuctilityFromStrainAndGaugeLength)
@@ -204,7 +215,8 @@ TEST(Capacity, ByHand)
 		EXPECT_FALSE(c.isElasticPlastic(i));
 	c.set(BT_EP_BENDING_Y, 10, 2, 3);
 	c.setRigidPlastic(BT_EP_AXIAL, 5);
-	EXPECT_TRUE(c.isElasticPlastic(BT_EP_BENDING_Y) && !c.isRigidPlastic(BT_EP_BENDING_Y) && c.isRigidPlastic(BT_EP_AXIAL));
+	EXPECT_TRUE(c.isElasticPlastic(BT_EP_BENDING_Y) && !c.isRigidPlastic(BT_EP_BENDING_Y) &&
+				c.isRigidPlastic(BT_EP_AXIAL));
 	EXPECT_FALSE(c.fault());
 	c.scaleYield(btScalar(0.5));
 	EXPECT_EQ(1, c.m_yield[BT_EP_BENDING_Y]);

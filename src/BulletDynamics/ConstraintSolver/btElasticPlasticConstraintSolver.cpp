@@ -211,8 +211,8 @@ btElasticPlasticSystem::Row& btElasticPlasticConstraintSolver::addRow(const btSo
 	row.m_bodyB = m_index[from.m_solverBodyIdB];
 	const double diagonal = from.m_jacDiagABInv > 0 ? 1 / double(from.m_jacDiagABInv) : 1;
 	row.m_target = double(from.m_rhs) * diagonal;
-	// Hard rows are given a compliance that shows in the tenth digit.
-	row.m_compliance = btMax(double(from.m_cfm), 1e-10) * diagonal;
+	// Hard rows are given a compliance that shows in the twelfth digit.
+	row.m_compliance = btMax(double(from.m_cfm), 1e-12) * diagonal;
 	row.m_lower = from.m_lowerLimit;
 	row.m_upper = from.m_upperLimit;
 	return row;

@@ -337,25 +337,69 @@ bool btElasticPlasticSystem::newton()
 		double slope = 0;
 		for (size_t i = 0; i < m_step.size(); ++i)
 			slope -= m_residual[i] * m_step[i];
-		m_trial = m_velocity;
-		double length = 1, phi1 = phi;
-		bool changed = true;
-		for (int halving = 0; halving < 12; ++halving, length /= 2)
-		{
-			for (size_t i = 0; i < m_step.size(); ++i)
-				m_velocity[i] = m_trial[i] + length * m_step[i];
-			phi1 = evaluate();
-			changed = m_boundsChanged;
-			if (phi1 <= phi + 1e-4 * length * slope + 1e-14 * fabs(phi))
-				break;
-		}
-		phi = phi1;
+		m_start = m_velocity;
+		move(1);
+		const double phi0 = phi;
+		phi = evaluate();
+		if (phi <= phi0 + 1e-4 * slope + 1e-14 * fabs(phi0))
+			// A full step that changes no bound has solved the linear problem of these bounds.
+			continue;
+		move(0);
+		move(exactLength());
+		phi = evaluate();
 		if (!(phi == phi))
 			return false;
-		// A full step that changes no bound has solved the linear problem of these bounds.
-		m_boundsChanged = changed || length < 1;
+		m_boundsChanged = true;
 	}
 	return true;
+}
+
+void btElasticPlasticSystem::move(double length)
+{
+	for (size_t i = 0; i < m_step.size(); ++i)
+		m_velocity[i] = m_start[i] + length * m_step[i];
+}
+
+/// Where phi is least along the step from the present dv, between 0 and 1. Its derivative there is monotonous and piecewise
+/// linear, with a kink wherever a row reaches a bound: Newton's method, kept in the bracket, ends exactly. Halving the step
+/// would not do: rows of little compliance bend phi almost like an edge, and the search would zigzag along it.
+double btElasticPlasticSystem::exactLength()
+{
+	m_work.resize(m_step.size());
+	multiplyMass(m_step, m_work);
+	double along0 = 0, along1 = 0;
+	for (size_t i = 0; i < m_step.size(); ++i)
+	{
+		along0 += m_work[i] * m_velocity[i];
+		along1 += m_work[i] * m_step[i];
+	}
+	m_rowDistance.resize(m_rows.size());
+	m_rowSpeed.resize(m_rows.size());
+	for (size_t i = 0; i < m_rows.size(); ++i)
+	{
+		const Row& row = m_rows[i];
+		m_rowDistance[i] = row.m_target + row.m_compliance * row.m_multiplier - along(row, m_velocity);
+		m_rowSpeed[i] = along(row, m_step);
+	}
+	double low = 0, high = 1, t = 1;
+	for (int i = 0; i < 60 && high - low > 1e-15; ++i)
+	{
+		double derivative = along0 + t * along1, second = along1;
+		for (size_t r = 0; r < m_rows.size(); ++r)
+		{
+			const Row& row = m_rows[r];
+			const double impulse = (m_rowDistance[r] - t * m_rowSpeed[r]) / row.m_compliance;
+			derivative -= m_rowSpeed[r] * std::max(row.m_lower, std::min(row.m_upper, impulse));
+			if (impulse > row.m_lower && impulse < row.m_upper)
+				second += m_rowSpeed[r] * m_rowSpeed[r] / row.m_compliance;
+		}
+		(derivative > 0 ? high : low) = t;
+		const double next = t - derivative / second;
+		if (fabs(next - t) <= 1e-14)
+			break;
+		t = next > low && next < high ? next : (low + high) / 2;
+	}
+	return t;
 }
 
 /// One loop of the augmented Lagrangian: multipliers follow impulses, friction's bounds follow normal impulses.

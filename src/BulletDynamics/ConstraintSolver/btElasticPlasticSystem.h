@@ -105,7 +105,7 @@ public:
 	double m_iterationTolerance = 1e-11;  ///< of the residual momentum, relative to the right side
 
 	/// Longest search, and how exactly contacts are solved.
-	int m_maxNewtonSteps = 50;
+	int m_maxNewtonSteps = 500;
 	int m_maxContactLoops = 20;
 	double m_contactTolerance = 1e-3;  ///< of velocities, relative to the fastest approach
 
@@ -134,6 +134,8 @@ private:
 	double evaluate();
 	bool guess();
 	bool newton();
+	void move(double length);
+	double exactLength();
 	bool tightenContacts();
 
 	std::vector<double> m_mass;
@@ -149,7 +151,9 @@ private:
 	std::vector<double> m_velocity;    // dv
 	std::vector<double> m_residual;    // -gradient of (2) at dv
 	std::vector<double> m_step;
-	std::vector<double> m_trial;
+	std::vector<double> m_start;
+	std::vector<double> m_work;
+	std::vector<double> m_rowDistance, m_rowSpeed;                                  // of the line search
 	std::vector<double> m_solution, m_search, m_product, m_preconditioned, m_rest;  // of conjugate gradients
 	Statistics m_statistics;
 };

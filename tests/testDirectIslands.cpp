@@ -1,0 +1,246 @@
+// The direct form in worlds of several islands: what is none of its business, what it reuses, what it leaves undisturbed.
+
+#include <string.h>
+
+#include <gtest/gtest.h>
+
+#include "BeamOnSupports.h"
+#include "Cantilever.h"
+#include "DirectSolver.h"
+#include "Precision.h"
+
+namespace
+{
+using namespace ep;
+
+const btScalar FRAME = btScalar(1) / 60;
+
+btTransform at(double x, double y, double z = 0)
+{
+	return btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(x), btScalar(y), btScalar(z)));
+}
+
+/// All bits of a body's motion.
+struct Bits
+{
+	btScalar m_values[18];
+
+	explicit Bits(const btRigidBody& body)
+	{
+		const btTransform& pose = body.getCenterOfMassTransform();
+		for (int i = 0; i < 3; ++i)
+		{
+			m_values[i] = pose.getOrigin()[i];
+			m_values[3 + i] = body.getLinearVelocity()[i];
+			m_values[6 + i] = body.getAngularVelocity()[i];
+			for (int j = 0; j < 3; ++j)
+				m_values[9 + 3 * i + j] = pose.getBasis()[i][j];
+		}
+	}
+
+	bool operator==(const Bits& other) const { return memcmp(m_values, other.m_values, sizeof m_values) == 0; }
+};
+
+std::vector<Bits> bitsOf(const std::vector<btRigidBody*>& bodies)
+{
+	std::vector<Bits> bits;
+	for (const btRigidBody* body : bodies)
+		bits.push_back(Bits(*body));
+	return bits;
+}
+
+btElasticPlasticCapacity elastic(double stiffness)
+{
+	btElasticPlasticCapacity capacity;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		capacity.set(i, btScalar(stiffness), btElasticPlasticCapacity::unlimited());
+	return capacity;
+}
+
+/// A jointed tower that falls on the ground, and tilted boxes beside it that tumble and pile up.
+struct Yard
+{
+	World m_world;
+	std::vector<btRigidBody*> m_structure, m_loose;
+
+	/// \param batch  constraints and contacts up to which Bullet hands over islands together, 0: each alone
+	Yard(Solver solver, int batch, bool structureFirst = true, bool withLoose = true) : m_world(solver)
+	{
+		m_world.bullet().getSolverInfo().m_minimumSolverBatchSize = batch;
+		m_world.body(0, m_world.box(btVector3(50, 1, 50)), at(0, -0.5));
+		if (structureFirst)
+			addStructure();
+		if (withLoose)
+			addLoose();
+		if (!structureFirst)
+			addStructure();
+	}
+
+	void addStructure()
+	{
+		btCollisionShape* cube = m_world.box(btVector3(1, 1, 1));
+		for (int i = 0; i < 5; ++i)
+		{
+			m_structure.push_back(m_world.body(1000, cube, at(0, 0.6 + i)));
+			if (i > 0)
+				m_world.joint(*m_structure[i - 1], *m_structure[i], at(0, 0.1 + i), elastic(1e8));
+		}
+		m_structure[4]->setLinearVelocity(btVector3(btScalar(0.3), 0, 0));
+	}
+
+	void addLoose()
+	{
+		btCollisionShape* cube = m_world.box(btVector3(btScalar(0.6), btScalar(0.6), btScalar(0.6)));
+		for (int i = 0; i < 12; ++i)
+			m_loose.push_back(m_world.body(
+				10, cube,
+				btTransform(
+					btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.2 * i)),
+					btVector3(btScalar(6 + 0.1 * (i % 4)), btScalar(0.6 + 0.8 * (i / 2)), btScalar(2 * (i % 2))))));
+	}
+};
+
+TEST(DirectIslands, LooseBodiesMoveAsWithTheStockSolverBitForBit)
+{
+	for (int batch : {0, 128})
+	{
+		Yard direct(Solver::Direct, batch), stock(Solver::Stock, batch);
+		for (int i = 0; i < 240; ++i)
+		{
+			direct.m_world.step(FRAME);
+			stock.m_world.step(FRAME);
+			ASSERT_TRUE(bitsOf(direct.m_loose) == bitsOf(stock.m_loose)) << "batch " << batch << " step " << i;
+		}
+		EXPECT_EQ(0, statisticsOf(direct.m_world).m_failures);
+	}
+}
+
+TEST(DirectIslands, SameSceneGivesTheSameBits)
+{
+	Yard first(Solver::Direct, 128), second(Solver::Direct, 128);
+	BeamOnSupports beam{BeamOnSupports::Settings()}, again{BeamOnSupports::Settings()};
+	for (int i = 0; i < 120; ++i)
+	{
+		first.m_world.step(FRAME);
+		second.m_world.step(FRAME);
+		beam.m_world.step(FRAME);
+		again.m_world.step(FRAME);
+	}
+	EXPECT_TRUE(bitsOf(first.m_structure) == bitsOf(second.m_structure));
+	EXPECT_TRUE(bitsOf(first.m_loose) == bitsOf(second.m_loose));
+	EXPECT_TRUE(bitsOf(beam.m_member.m_parts) == bitsOf(again.m_member.m_parts));
+}
+
+TEST(DirectIslands, StructureDoesNotFeelOtherIslands)
+{
+	// Loose boxes beside it, made after or before it, in its batch or not: its bits stay.
+	Yard alone(Solver::Direct, 128, true, false);
+	Yard others[] = {{Solver::Direct, 128, true},
+					 {Solver::Direct, 0, true},
+					 {Solver::Direct, 128, false},
+					 {Solver::Direct, 0, false}};
+	for (int i = 0; i < 120; ++i)
+	{
+		alone.m_world.step(FRAME);
+		for (Yard& other : others)
+			other.m_world.step(FRAME);
+	}
+	for (const Yard& other : others)
+		EXPECT_TRUE(bitsOf(alone.m_structure) == bitsOf(other.m_structure)) << &other - others;
+}
+
+TEST(DirectIslands, TwoStructuresInABatchDoNotFeelEachOther)
+{
+	// Bullet hands both over together: one system of two parts. Pivots are the same, only the search's length is common.
+	const auto place = [](bool other, int batch)
+	{
+		World world(Solver::Direct);
+		world.bullet().getSolverInfo().m_minimumSolverBatchSize = batch;
+		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
+		std::vector<btRigidBody*> chain;
+		for (int c = other ? 0 : 1; c < 2; ++c)
+		{
+			btRigidBody* last = world.body(0, cube, at(0, 0, 5 * c), false);
+			for (int i = 1; i < 10; ++i)
+			{
+				btRigidBody* next = world.body(100, cube, at(i, 0, 5 * c), false);
+				btElasticPlasticCapacity capacity = elastic(1e8);
+				capacity.m_yield[BT_EP_BENDING_Z] = 10000;
+				world.joint(*last, *next, at(i - 0.5, 0, 5 * c), capacity);
+				if (c == 1)
+					chain.push_back(next);
+				last = next;
+			}
+		}
+		for (int i = 0; i < 60; ++i)
+			world.step(FRAME);
+		return chain.back()->getCenterOfMassPosition().y();
+	};
+	const btScalar alone = place(false, 128);
+	EXPECT_EQ(alone, place(true, 0));
+	// The same to the last digits that the end of the search leaves.
+	EXPECT_NEAR(alone, place(true, 128), byPrecision(1e-9, 1e-4) * fabs(double(alone)));
+}
+
+TEST(DirectIslands, ElasticGraphIsAnalysedOnce)
+{
+	Cantilever cantilever{Cantilever::Settings()};
+	for (int i = 0; i < 100; ++i)
+		cantilever.m_world.step(FRAME);
+	const auto& statistics = statisticsOf(cantilever.m_world);
+	EXPECT_EQ(100, statistics.m_systems);
+	EXPECT_EQ(100 * 6 * 10, statistics.m_rows);
+	EXPECT_EQ(1, statistics.m_analyses);
+	EXPECT_LE(statistics.m_factorisations, 100);
+	EXPECT_GE(statistics.m_solutions, 100);
+	EXPECT_EQ(0, statistics.m_newtonSteps);
+	EXPECT_EQ(0, statistics.m_contactLoops);
+	EXPECT_EQ(0, statistics.m_failures);
+	solverOf(cantilever.m_world).resetStatistics();
+	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_systems);
+}
+
+TEST(DirectIslands, YieldCostsNewtonStepsOnlyWhereItBeginsOrEnds)
+{
+	// A load that bends the root plastically: the bounds are found once, and found again where they were.
+	Cantilever cantilever{Cantilever::Settings()};
+	btElasticPlasticCapacity capacity = cantilever.m_root->getCapacity();
+	capacity.m_yield[BT_EP_BENDING_Z] = btScalar(1000);  // of the 1540 N m that hang there
+	cantilever.m_root->setCapacity(capacity);
+	for (int i = 0; i < 30; ++i)
+		cantilever.m_world.step(FRAME);
+	const auto& statistics = statisticsOf(cantilever.m_world);
+	EXPECT_TRUE(cantilever.m_root->hasYielded());
+	EXPECT_GE(statistics.m_newtonSteps, 1);
+	EXPECT_LE(statistics.m_newtonSteps, 5);
+	EXPECT_EQ(0, statistics.m_failures);
+}
+
+TEST(DirectIslands, SleepingStructureCostsNothingAndWakesAsItWas)
+{
+	Cantilever cantilever{Cantilever::Settings()};
+	for (btRigidBody* part : cantilever.m_member.m_parts)
+		part->forceActivationState(ACTIVE_TAG);
+	for (int i = 0; i < 300; ++i)
+		cantilever.m_world.step(FRAME);
+	EXPECT_EQ(ISLAND_SLEEPING, cantilever.m_member.last().getActivationState());
+	const double sag = cantilever.sag();
+	EXPECT_NEAR(1, sag / cantilever.staticSag(), 1e-3);
+	solverOf(cantilever.m_world).resetStatistics();
+	const btElasticPlasticState asleep = cantilever.m_root->getState();
+	for (int i = 0; i < 60; ++i)
+		cantilever.m_world.step(FRAME);
+	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_systems);
+	EXPECT_EQ(sag, double(cantilever.sag()));
+	EXPECT_EQ(asleep.m_force[BT_EP_BENDING_Z], cantilever.m_root->getState().m_force[BT_EP_BENDING_Z]);
+	EXPECT_EQ(asleep.m_work, cantilever.m_root->getState().m_work);
+
+	cantilever.m_member.last().activate(true);
+	for (int i = 0; i < 60; ++i)
+		cantilever.m_world.step(FRAME);
+	EXPECT_GT(statisticsOf(cantilever.m_world).m_systems, 0);
+	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_analyses);
+	EXPECT_NEAR(sag, cantilever.sag(), 1e-3 * sag);
+	EXPECT_FALSE(cantilever.m_root->hasYielded());
+}
+}  // namespace
