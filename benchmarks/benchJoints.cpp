@@ -23,9 +23,10 @@ enum class Kind
 	ElasticPlastic2,
 	ElasticPlastic2Ours,  // second class, our solver
 	HalfBroken,           // second class, every other joint broken
+	AllBroken,            // what bodies cost without any joint
 	Count
 };
-const char* const NAMES[] = {"fixed", "spring2", "ep", "ep2", "ep2_ours", "half_broken"};
+const char* const NAMES[] = {"fixed", "spring2", "ep", "ep2", "ep2_ours", "half_broken", "all_broken"};
 
 /// Blocks of concrete side by side in a row, or in a wall of running joints, and what holds them.
 class Structure
@@ -133,7 +134,7 @@ private:
 			m_world.add(joint);
 			return;
 		}
-		if (m_kind == Kind::HalfBroken && index % 2)
+		if (m_kind == Kind::AllBroken || (m_kind == Kind::HalfBroken && index % 2))
 		{
 			capacity.scaleYield(btScalar(1e-6));
 			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -177,6 +178,7 @@ void Joints(benchmark::State& state, bool wall)
 		state.counters[std::string("ns_") + NAMES[kind]] = 1e9 * median(Kind(kind)) / joints;
 	for (Kind kind : {Kind::ElasticPlastic, Kind::ElasticPlastic2, Kind::ElasticPlastic2Ours})
 		state.counters[std::string(NAMES[int(kind)]) + "/spring2"] = median(kind) / spring2;
+	state.counters["all_broken/whole"] = median(Kind::AllBroken) / median(Kind::ElasticPlastic2);
 	state.counters["half_broken/whole"] = median(Kind::HalfBroken) / median(Kind::ElasticPlastic2);
 	state.counters["bytes_spring2"] = sizeof(btGeneric6DofSpring2Constraint);
 	state.counters["bytes_ep"] = sizeof(btElasticPlastic6DofSpringConstraint);

@@ -164,12 +164,13 @@ void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar time
 	// Actions live in dynamics worlds only.
 	btDynamicsWorld& dynamics = *static_cast<btDynamicsWorld*>(world);
 	closeGaps();
+	// Of what order joints are in the second level of a cache.
+	const bool isLarge = m_joints.size() > 500;
 	const int brokenBefore = m_broken.size();
 	for (int i = 0; i < m_joints.size(); ++i)
 	{
-		const int ahead = 4;
-		if (i + ahead < m_joints.size())
-			m_joints[i + ahead].m_joint->prefetch();
+		if (isLarge && i + 4 < m_joints.size())
+			m_joints[i + 4].m_joint->prefetch();
 		btElasticPlasticJoint& joint = *m_joints[i].m_joint;
 		const int outcome = joint.commit();
 		if (outcome & btElasticPlasticJoint::YIELDED)

@@ -16,7 +16,6 @@ subject to the following restrictions:
 #include "btElasticPlasticFault.h"
 
 #include <stdio.h>
-#include <string.h>
 
 const char* btElasticPlasticDofName(int dof)
 {
@@ -36,15 +35,6 @@ void btElasticPlasticFault::print(char* text, int capacity) const
 				 btElasticPlasticDofName(m_dof), double(m_value), m_range);
 	else
 		snprintf(text, capacity, "%s is %g; it must be %s", m_quantity, double(m_value), m_range);
-}
-
-bool btElasticPlasticIsFinite(double value)
-{
-	// Games compile with -ffast-math, which lets the compiler drop isfinite(): look at the exponent instead.
-	unsigned long long bits;
-	memcpy(&bits, &value, sizeof bits);
-	const unsigned long long exponent = 0x7ff0000000000000ull;
-	return (bits & exponent) != exponent;
 }
 
 static btElasticPlasticFault fault(const char* quantity, btScalar value, const char* range, int dof)

@@ -16,6 +16,8 @@ subject to the following restrictions:
 #ifndef BT_ELASTIC_PLASTIC_FAULT_H
 #define BT_ELASTIC_PLASTIC_FAULT_H
 
+#include <string.h>
+
 #include "LinearMath/btScalar.h"
 
 /// What is wrong with an input: which quantity, its value, and what it may be.
@@ -49,7 +51,14 @@ enum btElasticPlasticDof
 const char* btElasticPlasticDofName(int dof);
 
 /// True for numbers that are neither NaN nor infinite, whatever the compiler assumes of mathematics.
-bool btElasticPlasticIsFinite(double value);
+inline bool btElasticPlasticIsFinite(double value)
+{
+	// Games compile with -ffast-math, which lets the compiler drop isfinite(): look at the exponent instead.
+	unsigned long long bits;
+	memcpy(&bits, &value, sizeof bits);
+	const unsigned long long exponent = 0x7ff0000000000000ull;
+	return (bits & exponent) != exponent;
+}
 
 /// Fault for a value that is not a finite number greater than zero.
 btElasticPlasticFault btElasticPlasticCheckPositive(const char* quantity, btScalar value, int dof = -1);

@@ -36,10 +36,8 @@ btElasticPlasticJoint::~btElasticPlasticJoint()
 		m_action->removeJoint(this);
 }
 
-void btElasticPlasticJoint::ensureFeedback()
+void btElasticPlasticJoint::setOwnFeedback()
 {
-	if (m_implicitRequested || m_constraint.getJointFeedback())
-		return;
 	const btVector3 zero(0, 0, 0);
 	m_feedback.m_appliedForceBodyA = m_feedback.m_appliedTorqueBodyA = zero;
 	m_feedback.m_appliedForceBodyB = m_feedback.m_appliedTorqueBodyB = zero;
@@ -245,14 +243,12 @@ int btElasticPlasticJoint::prepare()
 	btElasticPlasticKinematics& k = m_step.m_kinematics;
 	k.evaluate(A.getCenterOfMassTransform(), B.getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
 			   m_state.m_plasticRotation, m_state.m_plasticMiddle);
-	// A body that something else made NaN must not take its neighbours with it.
-	btScalar sum = 0;
+	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it.
+	const btVector3 motion = A.getLinearVelocity() + A.getAngularVelocity() + A.getTotalForce() + A.getTotalTorque() +
+							 B.getLinearVelocity() + B.getAngularVelocity() + B.getTotalForce() + B.getTotalTorque();
+	btScalar sum = motion.x() + motion.y() + motion.z();
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		sum += k.m_strain[i];
-	const btRigidBody* const bodies[2] = {&A, &B};
-	for (const btRigidBody* body : bodies)
-		sum += body->getLinearVelocity().length2() + body->getAngularVelocity().length2() +
-			   body->getTotalForce().length2() + body->getTotalTorque().length2();
 	if (!btElasticPlasticIsFinite(sum))
 		return 0;
 	// Angular rows first, as in Bullet's own classes.
@@ -266,15 +262,16 @@ int btElasticPlasticJoint::prepare()
 }
 
 /// A = J M^-1 J^T of one row.
-btScalar btElasticPlasticJoint::diagonal(int dof) const
+btScalar btElasticPlasticJoint::diagonal(int dof, const btMatrix3x3& inverseInertias) const
 {
-	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
 	const btElasticPlasticKinematics& k = m_step.m_kinematics;
 	const btVector3& axis = k.m_axis[dof % 3];
-	const btVector3 armA = dof < 3 ? k.m_rA.cross(axis) : axis, armB = dof < 3 ? k.m_rB.cross(axis) : axis;
-	const btScalar angular =
-		armA.dot(A.getInvInertiaTensorWorld() * armA) + armB.dot(B.getInvInertiaTensorWorld() * armB);
-	return dof < 3 ? A.getInvMass() + B.getInvMass() + angular : angular;
+	if (dof >= 3)
+		return axis.dot(inverseInertias * axis);
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	const btVector3 armA = k.m_rA.cross(axis), armB = k.m_rB.cross(axis);
+	return A.getInvMass() + B.getInvMass() + armA.dot(A.getInvInertiaTensorWorld() * armA) +
+		   armB.dot(B.getInvInertiaTensorWorld() * armB);
 }
 
 /// J v of all six degrees of freedom, from the relative velocity of A to B at the common point and the relative angular velocity.
@@ -353,6 +350,7 @@ void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info
 	project(linear, angular, velocity);
 	m_step.m_dt = dt;
 	takeBackKinematicMotion(dt);
+	const btMatrix3x3 inverseInertias = A.getInvInertiaTensorWorld() + B.getInvInertiaTensorWorld();
 	for (int r = 0; r < m_step.m_rows; ++r)
 	{
 		Row& row = m_step.m_row[r];
@@ -374,7 +372,7 @@ void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info
 		row.m_impulse = 0;
 		if (m_step.m_implicit)
 			continue;
-		const btScalar a = diagonal(row.m_dof);
+		const btScalar a = diagonal(row.m_dof, inverseInertias);
 		row.m_row = makeRow(row.m_dof, a, info->erp, dt);
 		info->m_constraintError[s] = row.m_row.m_velocity;
 		info->cfm[s] = row.m_row.m_compliance / a;
@@ -561,11 +559,10 @@ void btElasticPlasticJoint::turnReference(const btScalar increment[6])
 	m_state.m_plasticMiddle = (now.m_middle * btElasticPlasticExp(elastic * btScalar(-0.5))).normalized();
 }
 
-void btElasticPlasticJoint::holdOverlap()
+void btElasticPlasticJoint::measureOverlap()
 {
-	if (m_partingWorld)
-		m_overlap =
-			btElasticPlasticHoldOverlap(*m_partingWorld, m_constraint.getRigidBodyA(), m_constraint.getRigidBodyB());
+	m_overlap =
+		btElasticPlasticHoldOverlap(*m_partingWorld, m_constraint.getRigidBodyA(), m_constraint.getRigidBodyB());
 }
 
 // ---- recognising each other without run-time type information

@@ -211,10 +211,18 @@ protected:
 	virtual bool isBaseActive() = 0;
 
 	/// Stock solvers tell impulses only through a feedback: sets one unless the user has.
-	void ensureFeedback();
+	void ensureFeedback()
+	{
+		if (!m_implicitRequested && !m_constraint.getJointFeedback())
+			setOwnFeedback();
+	}
 
 	/// If the joint is broken and its bodies still overlap: see btElasticPlasticParting.h.
-	void holdOverlap();
+	void holdOverlap()
+	{
+		if (m_partingWorld)
+			measureOverlap();
+	}
 
 	/// Answers from() if asked.
 	void answer(btSolverBody & asked, btScalar timeStep);
@@ -242,10 +250,12 @@ private:
 	};
 
 	btElasticPlasticFault findFault() const;
+	void setOwnFeedback();
+	void measureOverlap();
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
 	void refuseWithoutBooks();
-	btScalar diagonal(int dof) const;
+	btScalar diagonal(int dof, const btMatrix3x3& inverseInertias) const;
 	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
 	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
 	btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const;

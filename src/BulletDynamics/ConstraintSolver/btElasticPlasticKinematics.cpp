@@ -28,6 +28,9 @@ btQuaternion halfOf(const btQuaternion& q)
 	return h * (1 / btSqrt(length2));
 }
 
+/// Is it exactly no rotation? The scalar part alone does not tell: in float it is 1 up to half a milliradian.
+bool isNone(const btQuaternion& q) { return q.x() == 0 && q.y() == 0 && q.z() == 0; }
+
 /// p_B - p_A. In double whatever Bullet's precision: it is a thousandth of what it is the difference of.
 btVector3 separation(const btTransform& bodyA, const btTransform& bodyB, const btVector3& pivotA,
 					 const btVector3& pivotB)
@@ -81,11 +84,19 @@ void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTran
 	basisA.transposeTimes(basisB).getRotation(m_relative);
 	if (m_relative.dot(plasticRotation) < 0)
 		m_relative = -m_relative;
-	// Without plastic rotation the elastic one is all there is. (The scalar part alone does not tell: in float it is 1 up to
-	// half a milliradian.)
-	const bool isVirgin = plasticRotation.x() == 0 && plasticRotation.y() == 0 && plasticRotation.z() == 0;
-	const btQuaternion elasticTurn = isVirgin ? m_relative : m_relative * plasticRotation.inverse();
-	m_middle = halfOf(elasticTurn) * plasticMiddle;
+	btVector3 elastic;
+	if (isNone(plasticRotation) && isNone(plasticMiddle))
+	{
+		m_middle = halfOf(m_relative);
+		elastic = btElasticPlasticLog(m_relative);
+	}
+	else
+	{
+		// The middle frame is half an elastic rotation from the plastic middle: the rotation's components are the same in both.
+		const btQuaternion elasticTurn = m_relative * plasticRotation.inverse();
+		m_middle = halfOf(elasticTurn) * plasticMiddle;
+		elastic = quatRotate(plasticMiddle.inverse(), btElasticPlasticLog(elasticTurn));
+	}
 	const btMatrix3x3 mid = basisA * btMatrix3x3(m_middle);
 	for (int i = 0; i < 3; ++i)
 		m_axis[i] = mid.getColumn(i);
@@ -95,8 +106,6 @@ void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTran
 	m_rA = armA + d * btScalar(0.5);
 	m_rB = armB - d * btScalar(0.5);
 
-	// The middle frame is half an elastic rotation from the plastic middle: the rotation's components are the same in both.
-	const btVector3 elastic = quatRotate(plasticMiddle.inverse(), btElasticPlasticLog(elasticTurn));
 	for (int i = 0; i < 3; ++i)
 	{
 		m_strain[i] = d.dot(m_axis[i]) - plasticOffset[i];
