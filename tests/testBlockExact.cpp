@@ -1,6 +1,8 @@
 // The block of the paper against exact answers: its fall onto the joint, load reversal, overload; in turned scenes, with
 // either body static, with both classes.
 
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "BlockUnderTension.h"
@@ -43,6 +45,20 @@ Course run(const Settings& settings, int stepsPerSecond, int substeps, double se
 	return course;
 }
 
+/// Our solver, iterative and direct, with both constraint classes.
+std::vector<Settings> oursInBothClasses()
+{
+	std::vector<Settings> all;
+	for (ep::Solver solver : {ep::Solver::Iterative, ep::Solver::Direct})
+		for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
+		{
+			all.emplace_back();
+			all.back().solver = solver;
+			all.back().jointClass = jointClass;
+		}
+	return all;
+}
+
 ExactOscillator exactReversal(double pull)
 {
 	ExactOscillator exact = {6000, STIFFNESS, YIELD};
@@ -76,10 +92,8 @@ TEST(BlockExact, FallsYieldsAndSwings)
 		double m_tolerance;  // what is asked of the scheme at that step; second order: a quarter at half the step
 	} cases[] = {{480, 1, 0.02}, {960, 1, 0.005}, {60, 8, 0.02}};
 	for (const auto& c : cases)
-		for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
+		for (const Settings& settings : oursInBothClasses())
 		{
-			Settings settings;
-			settings.jointClass = jointClass;
 			const Course course = run(settings, c.m_stepsPerSecond, c.m_substeps, 0.4);
 			SCOPED_TRACE(c.m_stepsPerSecond);
 			EXPECT_NEAR(1.5e-3, course.m_plastic, 1.5e-3 * c.m_tolerance);
@@ -93,11 +107,9 @@ TEST(BlockExact, ReversesItsLoad)
 	for (double pull : {60e3, 90e3})
 	{
 		const ExactOscillator exact = exactReversal(pull);
-		for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
+		for (Settings settings : oursInBothClasses())
 		{
-			Settings settings;
 			settings.gravity = 0;
-			settings.jointClass = jointClass;
 			const Course course = run(settings, 3840, 1, 1, pull);
 			EXPECT_NEAR(exact.m_plastic, course.m_plastic, 0.01 * fabs(exact.m_plastic));
 			EXPECT_NEAR(exact.m_place, course.m_place, 0.01 * fabs(exact.m_place));
@@ -118,12 +130,10 @@ TEST(BlockExact, BreaksWhenOverloaded)
 		time += 1e-5;
 	}
 	EXPECT_NEAR(0.404, time, 0.5e-3);
-	for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
+	for (Settings settings : oursInBothClasses())
 	{
-		Settings settings;
 		settings.mass = 10000;
 		settings.ductility = btScalar(0.2);
-		settings.jointClass = jointClass;
 		BlockUnderTension block(settings);
 		int steps = 0;
 		while (!block.m_joint->isBroken() && steps < 1000)
@@ -173,21 +183,21 @@ TEST(BlockExact, IsTheSameTurnedAndEitherWayRound)
 
 TEST(BlockExact, BreaksAtTheSameTimeTurned)
 {
-	Settings settings;
-	settings.mass = 10000;
-	settings.ductility = btScalar(0.2);
-	settings.turn = btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(1.1));
-	settings.bodyTurn = btQuaternion(btVector3(3, -1, 1).normalized(), btScalar(2.2));
-	for (bool blockFirst : {false, true})
-	{
-		settings.blockFirst = blockFirst;
-		BlockUnderTension block(settings);
-		for (int i = 0; i < 403; ++i)
-			block.m_world.step(btScalar(0.001));
-		EXPECT_FALSE(block.m_joint->isBroken());
-		for (int i = 0; i < 2; ++i)
-			block.m_world.step(btScalar(0.001));
-		EXPECT_TRUE(block.m_joint->isBroken());
-	}
+	for (Settings settings : oursInBothClasses())
+		for (bool blockFirst : {false, true})
+		{
+			settings.mass = 10000;
+			settings.ductility = btScalar(0.2);
+			settings.turn = btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(1.1));
+			settings.bodyTurn = btQuaternion(btVector3(3, -1, 1).normalized(), btScalar(2.2));
+			settings.blockFirst = blockFirst;
+			BlockUnderTension block(settings);
+			for (int i = 0; i < 403; ++i)
+				block.m_world.step(btScalar(0.001));
+			EXPECT_FALSE(block.m_joint->isBroken());
+			for (int i = 0; i < 2; ++i)
+				block.m_world.step(btScalar(0.001));
+			EXPECT_TRUE(block.m_joint->isBroken());
+		}
 }
 }  // namespace
