@@ -1,0 +1,365 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+// The step of btElasticPlasticJoint: from the bodies' pose to rows, and from impulses to the next state.
+
+#include "btElasticPlasticJoint.h"
+
+#include <stdio.h>
+
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+// ---- the step: rows
+
+/// Without its commits the joint would be a wrong spring that never yields.
+void btElasticPlasticJoint::refuseWithoutBooks()
+{
+	m_fault.m_quantity =
+		m_action ? "number of commits in the last three substeps" : "number of actions that know the joint";
+	m_fault.m_range = m_action ? "3: call btDynamicsWorld::addAction" : "1: call btElasticPlasticAction::addJoint";
+	char text[320];
+	printFault(text, sizeof text);
+	fprintf(stderr, "Bullet Elastic-Plastic refused %s\n", text);
+}
+
+int btElasticPlasticJoint::prepare()
+{
+	m_uncommitted = m_step.m_rows > 0 ? m_uncommitted + 1 : 0;
+	m_step.m_rows = 0;
+	m_step.m_implicit = m_implicitRequested;
+	m_implicitRequested = false;
+	if (m_dofs && (!m_action || m_uncommitted > 2) && !m_fault)
+		refuseWithoutBooks();
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	if (m_fault || m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
+		return 0;
+	btElasticPlasticKinematics& k = m_step.m_kinematics;
+	k.evaluate(A.getCenterOfMassTransform(), B.getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
+			   m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it.
+	const btVector3 motion = A.getLinearVelocity() + A.getAngularVelocity() + A.getTotalForce() + A.getTotalTorque() +
+							 B.getLinearVelocity() + B.getAngularVelocity() + B.getTotalForce() + B.getTotalTorque();
+	btScalar sum = motion.x() + motion.y() + motion.z();
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		sum += k.m_strain[i];
+	if (!btElasticPlasticIsFinite(sum))
+		return 0;
+	// Angular rows first, as in Bullet's own classes.
+	for (int n = 0; n < BT_EP_DOF_COUNT; ++n)
+	{
+		const int dof = (n + 3) % BT_EP_DOF_COUNT;
+		if (m_dofs >> dof & 1u)
+			m_step.m_row[m_step.m_rows++].m_dof = dof;
+	}
+	return m_step.m_rows;
+}
+
+/// A = J M^-1 J^T of one row.
+btScalar btElasticPlasticJoint::diagonal(int dof, const btMatrix3x3& inverseInertias) const
+{
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	const btVector3& axis = k.m_axis[dof % 3];
+	if (dof >= 3)
+		return axis.dot(inverseInertias * axis);
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	const btVector3 armA = k.m_rA.cross(axis), armB = k.m_rB.cross(axis);
+	return A.getInvMass() + B.getInvMass() + armA.dot(A.getInvInertiaTensorWorld() * armA) +
+		   armB.dot(B.getInvInertiaTensorWorld() * armB);
+}
+
+/// J v of all six degrees of freedom, from the relative velocity of A to B at the common point and the relative angular velocity.
+void btElasticPlasticJoint::project(const btVector3& linear, const btVector3& angular,
+									btScalar onAxes[BT_EP_DOF_COUNT]) const
+{
+	for (int i = 0; i < 3; ++i)
+	{
+		onAxes[i] = m_step.m_kinematics.m_axis[i].dot(linear);
+		onAxes[3 + i] = m_step.m_kinematics.m_axis[i].dot(angular);
+	}
+}
+
+/// 1 / m_min of equation 16: the smaller of the bodies' masses or of their inertias about the axis.
+btScalar btElasticPlasticJoint::paperInverseMass(int dof) const
+{
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	if (dof < 3)
+		return btMax(A.getInvMass(), B.getInvMass());
+	const btVector3& axis = m_step.m_kinematics.m_axis[dof - 3];
+	return btMax((A.getInvInertiaTensorWorld() * axis).length(), (B.getInvInertiaTensorWorld() * axis).length());
+}
+
+btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const
+{
+	const btElasticPlasticDofState s = {m_capacity.m_stiffness[dof],       m_capacity.m_yield[dof],
+										m_step.m_kinematics.m_strain[dof], m_state.m_force[dof],
+										m_state.m_forceRate[dof],          m_state.m_lastStep};
+	if (m_capacity.isRigidPlastic(dof))
+		return btElasticPlasticRigidRow(s.m_yield, s.m_strain, erp, dt);
+	if (m_scheme == BT_EP_SCHEME_PAPER)
+		return m_constraint.getConstraintType() == D6_SPRING_CONSTRAINT_TYPE
+				   ? btElasticPlasticPaperMotorRow(s, dt)
+				   : btElasticPlasticPaperSpringRow(s, paperInverseMass(dof), dt);
+	return m_step.m_implicit ? btElasticPlasticImplicitRow(s, diagonal, dt) : btElasticPlasticStockRow(s, diagonal, dt);
+}
+
+static void copy(btScalar* to, const btVector3& from)
+{
+	for (int i = 0; i < 3; ++i)
+		to[i] = from[i];
+}
+
+/// A kinematic body already stands where the step will take it, and has the velocity that brought it there.
+void btElasticPlasticJoint::takeBackKinematicMotion(btScalar dt)
+{
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	if (!A.isKinematicObject() && !B.isKinematicObject())
+		return;
+	btElasticPlasticKinematics& k = m_step.m_kinematics;
+	btVector3 linear(0, 0, 0), angular(0, 0, 0);
+	if (A.isKinematicObject())
+	{
+		linear += A.getVelocityInLocalPoint(k.m_rA);
+		angular += A.getAngularVelocity();
+	}
+	if (B.isKinematicObject())
+	{
+		linear -= B.getVelocityInLocalPoint(k.m_rB);
+		angular -= B.getAngularVelocity();
+	}
+	btScalar moved[BT_EP_DOF_COUNT];
+	project(linear, angular, moved);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		k.m_strain[i] += dt * moved[i];
+}
+
+void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
+{
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	const btScalar dt = 1 / info->fps;
+	const btVector3 linear = A.getVelocityInLocalPoint(k.m_rA) - B.getVelocityInLocalPoint(k.m_rB);
+	const btVector3 angular = A.getAngularVelocity() - B.getAngularVelocity();
+	btScalar velocity[BT_EP_DOF_COUNT];
+	project(linear, angular, velocity);
+	m_step.m_dt = dt;
+	takeBackKinematicMotion(dt);
+	const btMatrix3x3 inverseInertias = A.getInvInertiaTensorWorld() + B.getInvInertiaTensorWorld();
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		Row& row = m_step.m_row[r];
+		const btVector3& axis = k.m_axis[row.m_dof % 3];
+		const int s = (firstRow + r) * info->rowskip;
+		if (row.m_dof < 3)
+		{
+			copy(info->m_J1linearAxis + s, axis);
+			copy(info->m_J2linearAxis + s, -axis);
+			copy(info->m_J1angularAxis + s, k.m_rA.cross(axis));
+			copy(info->m_J2angularAxis + s, axis.cross(k.m_rB));
+		}
+		else
+		{
+			copy(info->m_J1angularAxis + s, axis);
+			copy(info->m_J2angularAxis + s, -axis);
+		}
+		row.m_velocity0 = velocity[row.m_dof];
+		row.m_impulse = 0;
+		if (m_step.m_implicit)
+			continue;
+		const btScalar a = diagonal(row.m_dof, inverseInertias);
+		row.m_row = makeRow(row.m_dof, a, info->erp, dt);
+		info->m_constraintError[s] = row.m_row.m_velocity;
+		info->cfm[s] = row.m_row.m_compliance / a;
+		info->m_lowerLimit[s] = row.m_row.m_lower;
+		info->m_upperLimit[s] = row.m_row.m_upper;
+	}
+	m_dual.resize(0);
+	if (firstRow > 0 && !m_step.m_implicit)
+		separateBaseRows(*info, firstRow);
+}
+
+void btElasticPlasticJoint::requestImplicitRows()
+{
+	m_implicitRequested = true;
+	// Bullet would fill it row by row, for nobody.
+	if (m_constraint.getJointFeedback() == &m_feedback)
+		m_constraint.setJointFeedback(nullptr);
+}
+
+const btElasticPlasticRow& btElasticPlasticJoint::implicitRow(int r, btScalar diagonal, btScalar erp)
+{
+	Row& row = m_step.m_row[r];
+	row.m_row = makeRow(row.m_dof, diagonal, erp, m_step.m_dt);
+	return row.m_row;
+}
+
+namespace
+{
+/// A row's Jacobian on body A, or what is left of it.
+struct Direction
+{
+	btVector3 m_linear, m_angular;
+
+	btScalar dot(const Direction& d) const { return m_linear.dot(d.m_linear) + m_angular.dot(d.m_angular); }
+	void subtract(const Direction& d, btScalar factor)
+	{
+		m_linear -= d.m_linear * factor;
+		m_angular -= d.m_angular * factor;
+	}
+};
+}  // namespace
+
+/// The feedback sums the rows of Bullet's class and ours. Row i's impulse is its component along the dual vector: what is left
+/// of J_i after taking away its parts along all other rows, scaled so that its product with J_i is 1. Rows of Bullet's class
+/// may be parallel to each other (two limits), never to ours: they are on other degrees of freedom.
+void btElasticPlasticJoint::separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows)
+{
+	const int count = baseRows + m_step.m_rows;
+	m_dual.resize(2 * m_step.m_rows);
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		Direction orthonormal[BT_EP_DOF_COUNT], own = {};
+		int n = 0;
+		for (int j = 0; j <= count; ++j)
+		{
+			// The row itself comes last.
+			const int source = j == count ? baseRows + r : j;
+			if (j == baseRows + r)
+				continue;
+			const btScalar *linear = info.m_J1linearAxis + source * info.rowskip,
+						   *angular = info.m_J1angularAxis + source * info.rowskip;
+			const Direction full = {btVector3(linear[0], linear[1], linear[2]),
+									btVector3(angular[0], angular[1], angular[2])};
+			Direction rest = full;
+			for (int i = 0; i < n; ++i)
+				rest.subtract(orthonormal[i], rest.dot(orthonormal[i]));
+			const btScalar left = rest.dot(rest);
+			if (left < btScalar(1e-8) * full.dot(full))
+				continue;
+			if (j == count)
+				own = {rest.m_linear / left, rest.m_angular / left};
+			else if (n < BT_EP_DOF_COUNT)
+				orthonormal[n++] = {rest.m_linear / btSqrt(left), rest.m_angular / btSqrt(left)};
+		}
+		m_dual[2 * r] = own.m_linear;
+		m_dual[2 * r + 1] = own.m_angular;
+	}
+}
+
+// ---- the step: return mapping
+
+/// A linear row's impulse is the force along its axis, an angular one's the torque about the common point along its axis.
+void btElasticPlasticJoint::readFeedback()
+{
+	const btJointFeedback* feedback = m_constraint.getJointFeedback();
+	if (!feedback)
+		return;
+	// Bullet multiplies by the bodies' factors, what they take away is lost: take the body that is freer.
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	const btVector3 one(1, 1, 1);
+	const bool useB = (A.getLinearFactor() != one || A.getAngularFactor() != one) && B.getInvMass() > 0 &&
+					  B.getLinearFactor() == one && B.getAngularFactor() == one;
+	const btVector3 force = (useB ? -feedback->m_appliedForceBodyB : feedback->m_appliedForceBodyA) * m_step.m_dt;
+	btVector3 torque = (useB ? -feedback->m_appliedTorqueBodyB : feedback->m_appliedTorqueBodyA) * m_step.m_dt;
+	if (useB)
+		torque += (m_step.m_kinematics.m_rA - m_step.m_kinematics.m_rB).cross(force);
+	btScalar impulse[BT_EP_DOF_COUNT];
+	project(force, torque - m_step.m_kinematics.m_rA.cross(force), impulse);
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		Row& row = m_step.m_row[r];
+		row.m_impulse =
+			m_dual.size() > 0 ? m_dual[2 * r].dot(force) + m_dual[2 * r + 1].dot(torque) : impulse[row.m_dof];
+	}
+}
+
+btElasticPlasticReturn btElasticPlasticJoint::returnMap(const Row& row, btScalar velocity1) const
+{
+	const btScalar k = m_capacity.m_stiffness[row.m_dof], yield = m_capacity.m_yield[row.m_dof];
+	const btScalar strain = m_step.m_kinematics.m_strain[row.m_dof];
+	const btScalar yieldImpulse = yield * m_step.m_dt;
+	// The step's own axes: strain read from the turned configuration would count the turning as strain.
+	const btScalar trial = strain - m_step.m_dt * velocity1;
+	if (m_capacity.isRigidPlastic(row.m_dof))
+		return btElasticPlasticRigidReturnMap(
+			row.m_impulse, trial, btElasticPlasticAtBound(row.m_impulse, row.m_row, trial, yieldImpulse), m_step.m_dt);
+	if (m_scheme == BT_EP_SCHEME_PAPER)
+		// The paper looks at the deformation at the start of the step.
+		return btElasticPlasticReturnMap(
+			k, yield, strain, btFabs(row.m_impulse) > btScalar(0.99999) * yieldImpulse && row.m_impulse * strain > 0);
+	const bool beyond = btFabs(k * trial) > yield;
+	return btElasticPlasticReturnMap(k, yield, trial,
+									 beyond && btElasticPlasticAtBound(row.m_impulse, row.m_row, trial, yieldImpulse));
+}
+
+int btElasticPlasticJoint::commit()
+{
+	if (m_step.m_rows == 0)
+		return NOTHING;
+	if (!m_step.m_implicit)
+		readFeedback();
+
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+	// The velocities with which the bodies were moved: other actions may have changed the present ones already.
+	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
+	const btVector3 linear =
+		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
+	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {};
+	project(linear, wA - wB, velocity1);
+
+	const btScalar rate = 1 / m_step.m_dt;
+	m_state.m_lastStep = m_step.m_dt;
+	bool flowed = false;
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		const Row& row = m_step.m_row[r];
+		const int i = row.m_dof;
+		const btElasticPlasticReturn mapped = returnMap(row, velocity1[i]);
+		m_state.m_forceRate[i] = (mapped.m_force - m_state.m_force[i]) * rate;
+		m_state.m_force[i] = mapped.m_force;
+		m_state.m_applied[i] = row.m_impulse * rate;
+		// The work of an impulse on the bodies is exactly impulse times mean velocity.
+		m_state.m_work -= 0.5 * double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
+		if (mapped.m_increment == 0)
+			continue;
+		increment[i] = mapped.m_increment;
+		m_state.m_plastic[i] += mapped.m_increment;
+		m_state.m_plasticPath[i] += btFabs(mapped.m_increment);
+		m_state.m_plasticEnergy += double(m_capacity.m_yield[i]) * btFabs(double(mapped.m_increment));
+		flowed = true;
+	}
+	revert();
+	if (!flowed)
+		return NOTHING;
+	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
+		turnReference(increment);
+	const int outcome = m_state.m_yielded ? NOTHING : YIELDED;
+	m_state.m_yielded = true;
+	m_state.m_broken = getDamage() >= 1;
+	return m_state.m_broken ? outcome | BROKE : outcome;
+}
+
+/// Turns the plastic rotation so that the elastic rotation that is measured at the new pose loses the increment.
+void btElasticPlasticJoint::turnReference(const btScalar increment[6])
+{
+	btElasticPlasticKinematics now;
+	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
+				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
+				 m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
+							now.m_strain[5] - increment[5]);
+	m_state.m_plasticRotation = (btElasticPlasticExp(-quatRotate(now.m_middle, elastic)) * now.m_relative).normalized();
+	m_state.m_plasticMiddle = (now.m_middle * btElasticPlasticExp(elastic * btScalar(-0.5))).normalized();
+}
