@@ -435,7 +435,7 @@ bool btElasticPlasticSystem::solve()
 	++m_statistics.m_systems;
 	m_statistics.m_rows += getNumRows();
 	m_plan = &findPlan();
-	m_plan->m_lastUse = m_statistics.m_systems;
+	m_plan->m_lastUse = ++m_time;
 	m_matrixIsCurrent = m_factorIsCurrent = m_factorIsOfThisSolve = false;
 	m_velocity.assign(6 * size_t(getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());

@@ -143,6 +143,7 @@ private:
 	std::vector<int> m_edges;
 	std::vector<Plan> m_plans;
 	Plan* m_plan = nullptr;
+	long long m_time = 0;            // solve() calls, for the plans' age
 	bool m_boundsChanged = false;    // by the last evaluate()
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
 	bool m_factorIsCurrent = false;  // and the factor to H
