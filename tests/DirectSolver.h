@@ -10,7 +10,7 @@ inline btElasticPlasticConstraintSolver& solverOf(ep::World& world)
 	return static_cast<btElasticPlasticConstraintSolver&>(*world.bullet().getConstraintSolver());
 }
 
-inline const btElasticPlasticSystem::Statistics& statisticsOf(ep::World& world)
+inline const btElasticPlasticStatistics& statisticsOf(ep::World& world)
 {
 	return solverOf(world).getStatistics();
 }

@@ -111,7 +111,7 @@ TEST(DirectIslands, LooseBodiesMoveAsWithTheStockSolverBitForBit)
 			stock.m_world.step(FRAME);
 			ASSERT_TRUE(bitsOf(direct.m_loose) == bitsOf(stock.m_loose)) << "batch " << batch << " step " << i;
 		}
-		EXPECT_EQ(0, statisticsOf(direct.m_world).m_failures);
+		EXPECT_EQ(0, statisticsOf(direct.m_world).m_fallbacks);
 	}
 }
 
@@ -188,16 +188,16 @@ TEST(DirectIslands, ElasticGraphIsAnalysedOnce)
 	for (int i = 0; i < 100; ++i)
 		cantilever.m_world.step(FRAME);
 	const auto& statistics = statisticsOf(cantilever.m_world);
-	EXPECT_EQ(100, statistics.m_systems);
+	EXPECT_EQ(100, statistics.m_islands);
 	EXPECT_EQ(100 * 6 * 10, statistics.m_rows);
 	EXPECT_EQ(1, statistics.m_analyses);
 	EXPECT_LE(statistics.m_factorisations, 100);
 	EXPECT_GE(statistics.m_solutions, 100);
 	EXPECT_EQ(0, statistics.m_newtonSteps);
 	EXPECT_EQ(0, statistics.m_contactLoops);
-	EXPECT_EQ(0, statistics.m_failures);
+	EXPECT_EQ(0, statistics.m_fallbacks);
 	solverOf(cantilever.m_world).resetStatistics();
-	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_systems);
+	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_islands);
 }
 
 TEST(DirectIslands, YieldCostsNewtonStepsOnlyWhereItBeginsOrEnds)
@@ -213,7 +213,7 @@ TEST(DirectIslands, YieldCostsNewtonStepsOnlyWhereItBeginsOrEnds)
 	EXPECT_TRUE(cantilever.m_root->hasYielded());
 	EXPECT_GE(statistics.m_newtonSteps, 1);
 	EXPECT_LE(statistics.m_newtonSteps, 5);
-	EXPECT_EQ(0, statistics.m_failures);
+	EXPECT_EQ(0, statistics.m_fallbacks);
 }
 
 TEST(DirectIslands, SleepingStructureCostsNothingAndWakesAsItWas)
@@ -230,7 +230,7 @@ TEST(DirectIslands, SleepingStructureCostsNothingAndWakesAsItWas)
 	const btElasticPlasticState asleep = cantilever.m_root->getState();
 	for (int i = 0; i < 60; ++i)
 		cantilever.m_world.step(FRAME);
-	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_systems);
+	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_islands);
 	EXPECT_EQ(sag, double(cantilever.sag()));
 	EXPECT_EQ(asleep.m_force[BT_EP_BENDING_Z], cantilever.m_root->getState().m_force[BT_EP_BENDING_Z]);
 	EXPECT_EQ(asleep.m_work, cantilever.m_root->getState().m_work);
@@ -238,7 +238,7 @@ TEST(DirectIslands, SleepingStructureCostsNothingAndWakesAsItWas)
 	cantilever.m_member.last().activate(true);
 	for (int i = 0; i < 60; ++i)
 		cantilever.m_world.step(FRAME);
-	EXPECT_GT(statisticsOf(cantilever.m_world).m_systems, 0);
+	EXPECT_GT(statisticsOf(cantilever.m_world).m_islands, 0);
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_analyses);
 	EXPECT_NEAR(sag, cantilever.sag(), 1e-3 * sag);
 	EXPECT_FALSE(cantilever.m_root->hasYielded());

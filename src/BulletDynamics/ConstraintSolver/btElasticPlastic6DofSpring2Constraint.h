@@ -27,8 +27,6 @@ ATTRIBUTE_ALIGNED16(class)
 btElasticPlastic6DofSpring2Constraint : public btElasticPlasticConstraint<btGeneric6DofSpring2Constraint>
 {
 public:
-	BT_DECLARE_ALIGNED_ALLOCATOR();
-
 	/// Joins two bodies, of which one may be static or kinematic.
 	/// \param frameInA, frameInB  the joint's frame in the bodies' coordinates, x along the member
 	btElasticPlastic6DofSpring2Constraint(btRigidBody & rbA, btRigidBody & rbB, const btTransform& frameInA,

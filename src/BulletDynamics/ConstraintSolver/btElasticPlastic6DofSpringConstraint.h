@@ -26,8 +26,6 @@ ATTRIBUTE_ALIGNED16(class)
 btElasticPlastic6DofSpringConstraint : public btElasticPlasticConstraint<btGeneric6DofSpringConstraint>
 {
 public:
-	BT_DECLARE_ALIGNED_ALLOCATOR();
-
 	/// Joins two bodies, of which one may be static or kinematic.
 	/// \param frameInA, frameInB  the joint's frame in the bodies' coordinates, x along the member
 	btElasticPlastic6DofSpringConstraint(btRigidBody & rbA, btRigidBody & rbB, const btTransform& frameInA,

@@ -17,6 +17,7 @@ subject to the following restrictions:
 #define BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H
 
 #include "BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h"
+#include "btElasticPlasticIslands.h"
 #include "btElasticPlasticJoint.h"
 #include "btElasticPlasticSystem.h"
 
@@ -45,11 +46,14 @@ public:
 	void setForm(btElasticPlasticForm form) { m_form = form; }
 	btElasticPlasticForm getForm() const { return m_form; }
 
-	/// The direct form's settings and statistics, summed since resetStatistics().
+	/// The direct form's settings.
 	btElasticPlasticSystem& getSystem() { return m_system; }
-	const btElasticPlasticSystem::Statistics& getStatistics() const { return m_system.getStatistics(); }
-	void resetStatistics() { m_system.resetStatistics(); }
 
+	/// Of the direct form, summed since resetStatistics().
+	const btElasticPlasticStatistics& getStatistics() const { return m_system.getStatistics(); }
+	void resetStatistics() { m_system.getStatistics() = btElasticPlasticStatistics(); }
+
+	void prepareSolve(int numBodies, int numManifolds) override;
 	btScalar solveGroup(btCollisionObject * *bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
 						btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info,
 						btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;
@@ -64,31 +68,42 @@ protected:
 		override;
 
 private:
-	/// A joint of the group that is being solved, and the first of its elastic-plastic rows in the pool.
+	// ---- the iterative form
 	struct JointRows
 	{
 		btElasticPlasticJoint* m_joint;
-		int m_firstRow;
-		int m_rows;
+		int m_firstRow;  ///< in Bullet's pool
 	};
 
+	void convertToRows(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
 	void makeSoft(btSolverConstraint & row, btElasticPlasticJoint & joint, int r, const btContactSolverInfo& info);
 
+	// ---- the direct form
+	struct DirectJoint
+	{
+		btElasticPlasticJoint* m_joint;
+		int m_solverBody[2];
+		int m_firstLaw;  ///< of the system
+	};
+
+	void convertToUnits(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
+	bool solveDirectly(const btContactSolverInfo& info);
+	void fallBack(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
 	void addBodies();
-	void addRows(btConstraintArray & pool);
+	void addJoint(DirectJoint & direct, const btContactSolverInfo& info);
 	btElasticPlasticSystem::Row& addRow(const btSolverConstraint& row);
 	void addContacts();
-	bool solveDirectly();
 	void takeResult();
 
 	btElasticPlasticForm m_form = BT_EP_DIRECT;
+	btElasticPlasticIslands m_islands;
+	btAlignedObjectArray<btElasticPlasticJoint*> m_joints;  ///< per constraint, null if it is not elastic-plastic
+	btElasticPlasticJoint** m_islandJoints = nullptr;       ///< the same of the island at work, null if it has none
 	btAlignedObjectArray<JointRows> m_jointRows;
-	btElasticPlasticSystem m_system;
+	btAlignedObjectArray<DirectJoint> m_directJoints;
+	int m_firstRow = 0;                 ///< in the system, of those in Bullet's pools
 	btAlignedObjectArray<int> m_index;  ///< of a solver body in the system, -1: does not move
-	// The group's islands with elastic-plastic joints and those without, where it has both.
-	btAlignedObjectArray<btCollisionObject*> m_bodies[2];
-	btAlignedObjectArray<btPersistentManifold*> m_manifolds[2];
-	btAlignedObjectArray<btTypedConstraint*> m_constraints[2];
+	btElasticPlasticSystem m_system;
 };
 
 #endif  // BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H

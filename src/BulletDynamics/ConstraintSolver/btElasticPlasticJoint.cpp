@@ -75,9 +75,7 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 void btElasticPlasticJoint::takePoseAsReference(unsigned dofs)
 {
 	btElasticPlasticKinematics now;
-	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
-				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-				 m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	measure(now);
 	btScalar away[BT_EP_DOF_COUNT] = {};
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (dofs >> i & 1u)
@@ -97,7 +95,7 @@ void btElasticPlasticJoint::takeRoundingAsReference()
 	const btScalar size = A.getOrigin().length() + m_frameInA.getOrigin().length() + B.getOrigin().length() +
 						  m_frameInB.getOrigin().length();
 	btElasticPlasticKinematics now;
-	now.evaluate(A, B, m_frameInA, m_frameInB, m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	measure(now);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		// Eight roundings lie between the world's coordinates and a strain.
 		if (btFabs(now.m_strain[i]) > 4 * SIMD_EPSILON * (i < 3 ? size : 1))
@@ -147,13 +145,11 @@ btVector3 btElasticPlasticJoint::getPosition() const { return (getFrameA().getOr
 void btElasticPlasticJoint::setReferenceToCurrentPose()
 {
 	btElasticPlasticKinematics now;
-	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
-				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-				 m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	const btElasticPlasticTurn turn = measure(now);
 	for (int i = 0; i < 3; ++i)
 		m_state.m_initial[i] += now.m_strain[i];
-	m_state.m_plasticRotation = now.m_relative;
-	m_state.m_plasticMiddle = now.m_middle;
+	m_state.m_plasticRotation = turn.m_relative;
+	m_state.m_plasticMiddle = turn.m_middle;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = 0;
 	revert();

@@ -140,29 +140,56 @@ public:
 
 	// ---- for solvers and the action
 
-	/// Evaluates the joint at the bodies' present transforms. \return number of elastic-plastic rows
+	/// Evaluates the joint at the bodies' present transforms. \return number of rows that Bullet is to hold
 	int prepare();
 
 	/// Writes the rows that prepare() counted, beginning at firstRow.
 	void writeRows(btTypedConstraint::btConstraintInfo2 * info, int firstRow);
 
-	/// Tells that a solver of ours is at work, which takes the rows by implicitRow() and gives the impulses back by
-	/// setRowImpulse(): the next writeRows() then writes Jacobians only. For one step.
-	void requestImplicitRows();
+	/// How a solver wants the rows of the next step. Ours take them by implicitRow() and give impulses back by setRowImpulse().
+	enum Request
+	{
+		WHOLE_ROWS,  ///< Bullet's own solvers
+		JACOBIANS,   ///< writeRows() writes no more
+		NO_ROWS  ///< Bullet does not see them; startStep() stands for writeRows(), and reportImpulses() ends the solution
+	};
+	void request(Request request);
+
+	/// Takes note of the velocities at the start of a step of dt [s].
+	void startStep(btScalar dt);
+
+	/// A = J M^-1 J^T of all rows.
+	void getDiagonals(btScalar diagonals[BT_EP_DOF_COUNT]) const;
 
 	/// The r-th row of the default scheme (or the joint's other one) for a solver that adds compliance to the diagonal.
 	/// \param diagonal  A = J M^-1 J^T of the row
-	const btElasticPlasticRow& implicitRow(int r, btScalar diagonal, btScalar erp);
+	btElasticPlasticRow implicitRow(int r, btScalar diagonal, btScalar erp)
+	{
+		return startRow(m_step.m_row[r], diagonal, erp);
+	}
 
 	/// Elastic-plastic rows in the step under way; they are the last of the constraint's rows.
 	int getNumRows() const { return m_step.m_rows; }
+	int getRowDof(int r) const { return m_step.m_row[r].m_dof; }
+	const btElasticPlasticKinematics& getKinematics() const { return m_step.m_kinematics; }
 
 	/// The impulse of the r-th row, from a solver of ours. From others commit() takes it from Bullet's joint feedback.
 	void setRowImpulse(int r, btScalar impulse) { m_step.m_row[r].m_impulse = impulse; }
 
+	/// Does with the impulses what Bullet does for rows that it holds: the user's feedback, Bullet's applied impulse and breaking
+	/// threshold.
+	void reportImpulses();
+
 	/// Whether the row was at a bound (-1, 0, 1) when a direct solver saw it last: where it begins its search.
 	int getRowBound(int r) const { return m_bound[m_step.m_row[r].m_dof]; }
 	void setRowBound(int r, int bound) { m_bound[m_step.m_row[r].m_dof] = static_cast<signed char>(bound); }
+
+	/// By which a direct solver knows the joint's island again.
+	int getTicket() const { return m_ticket; }
+	void setTicket(int ticket) { m_ticket = ticket; }
+
+	/// Its place in its action's books: joints that were added earlier come first.
+	int getEntry() const { return m_entry; }
 
 	/// What a commit brought about, a set of bits.
 	enum Outcome
@@ -213,7 +240,7 @@ protected:
 	/// Stock solvers tell impulses only through a feedback: sets one unless the user has.
 	void ensureFeedback()
 	{
-		if (!m_implicitRequested && !m_constraint.getJointFeedback())
+		if (m_request == WHOLE_ROWS && !m_constraint.getJointFeedback())
 			setOwnFeedback();
 	}
 
@@ -233,8 +260,8 @@ private:
 	/// One row of the step: what it was given, and what came out.
 	struct Row
 	{
-		btElasticPlasticRow m_row;
-		btScalar m_velocity0;  ///< J v at the start of the step
+		btScalar m_lower, m_upper;  ///< bounds of the impulse
+		btScalar m_velocity0;       ///< J v at the start of the step
 		btScalar m_impulse;
 		int m_dof;
 	};
@@ -246,7 +273,7 @@ private:
 		Row m_row[BT_EP_DOF_COUNT];
 		int m_rows = 0;
 		btScalar m_dt = 0;
-		bool m_implicit = false;  ///< rows and impulses go between us and a solver of ours
+		Request m_request = WHOLE_ROWS;
 	};
 
 	btElasticPlasticFault findFault() const;
@@ -258,7 +285,9 @@ private:
 	btScalar diagonal(int dof, const btMatrix3x3& inverseInertias) const;
 	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
 	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
-	btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const;
+	btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp) const;
+	btElasticPlasticRow startRow(Row & row, btScalar diagonal, btScalar erp);
+	btElasticPlasticTurn measure(btElasticPlasticKinematics & k) const;
 	btScalar paperInverseMass(int dof) const;
 	void takeBackKinematicMotion(btScalar dt);
 	void readFeedback();
@@ -275,7 +304,8 @@ private:
 	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
 	signed char m_bound[BT_EP_DOF_COUNT] = {};
 	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
-	bool m_implicitRequested = false;
+	Request m_request = WHOLE_ROWS;  ///< for the next step
+	int m_ticket = 0;
 	bool m_hasReference = false;                ///< has had a valid capacity
 	btScalar m_overlap = 0;                     ///< of the bodies, while they part
 	btDynamicsWorld* m_partingWorld = nullptr;  ///< set while the joint is broken and its bodies have not parted

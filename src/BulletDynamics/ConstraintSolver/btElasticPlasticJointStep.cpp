@@ -34,20 +34,27 @@ void btElasticPlasticJoint::refuseWithoutBooks()
 	fprintf(stderr, "Bullet Elastic-Plastic refused %s\n", text);
 }
 
+/// At the bodies' present transforms.
+btElasticPlasticTurn btElasticPlasticJoint::measure(btElasticPlasticKinematics& k) const
+{
+	return k.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
+					  m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
+					  m_state.m_plasticRotation, m_state.m_plasticMiddle);
+}
+
 int btElasticPlasticJoint::prepare()
 {
 	m_uncommitted = m_step.m_rows > 0 ? m_uncommitted + 1 : 0;
 	m_step.m_rows = 0;
-	m_step.m_implicit = m_implicitRequested;
-	m_implicitRequested = false;
+	m_step.m_request = m_request;
+	m_request = WHOLE_ROWS;
 	if (m_dofs && (!m_action || m_uncommitted > 2) && !m_fault)
 		refuseWithoutBooks();
 	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
 	if (m_fault || m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
 		return 0;
 	btElasticPlasticKinematics& k = m_step.m_kinematics;
-	k.evaluate(A.getCenterOfMassTransform(), B.getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-			   m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	measure(k);
 	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it.
 	const btVector3 motion = A.getLinearVelocity() + A.getAngularVelocity() + A.getTotalForce() + A.getTotalTorque() +
 							 B.getLinearVelocity() + B.getAngularVelocity() + B.getTotalForce() + B.getTotalTorque();
@@ -63,7 +70,7 @@ int btElasticPlasticJoint::prepare()
 		if (m_dofs >> dof & 1u)
 			m_step.m_row[m_step.m_rows++].m_dof = dof;
 	}
-	return m_step.m_rows;
+	return m_step.m_request == NO_ROWS ? 0 : m_step.m_rows;
 }
 
 /// A = J M^-1 J^T of one row.
@@ -100,8 +107,9 @@ btScalar btElasticPlasticJoint::paperInverseMass(int dof) const
 	return btMax((A.getInvInertiaTensorWorld() * axis).length(), (B.getInvInertiaTensorWorld() * axis).length());
 }
 
-btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, btScalar erp, btScalar dt) const
+btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, btScalar erp) const
 {
+	const btScalar dt = m_step.m_dt;
 	const btElasticPlasticDofState s = {m_capacity.m_stiffness[dof],       m_capacity.m_yield[dof],
 										m_step.m_kinematics.m_strain[dof], m_state.m_force[dof],
 										m_state.m_forceRate[dof],          m_state.m_lastStep};
@@ -111,7 +119,16 @@ btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, b
 		return m_constraint.getConstraintType() == D6_SPRING_CONSTRAINT_TYPE
 				   ? btElasticPlasticPaperMotorRow(s, dt)
 				   : btElasticPlasticPaperSpringRow(s, paperInverseMass(dof), dt);
-	return m_step.m_implicit ? btElasticPlasticImplicitRow(s, diagonal, dt) : btElasticPlasticStockRow(s, diagonal, dt);
+	return m_step.m_request == WHOLE_ROWS ? btElasticPlasticStockRow(s, diagonal, dt)
+										  : btElasticPlasticImplicitRow(s, diagonal, dt);
+}
+
+btElasticPlasticRow btElasticPlasticJoint::startRow(Row& row, btScalar diagonal, btScalar erp)
+{
+	const btElasticPlasticRow made = makeRow(row.m_dof, diagonal, erp);
+	row.m_lower = made.m_lower;
+	row.m_upper = made.m_upper;
+	return made;
 }
 
 static void copy(btScalar* to, const btVector3& from)
@@ -144,18 +161,39 @@ void btElasticPlasticJoint::takeBackKinematicMotion(btScalar dt)
 		k.m_strain[i] += dt * moved[i];
 }
 
-void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
+void btElasticPlasticJoint::startStep(btScalar dt)
 {
 	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
 	const btElasticPlasticKinematics& k = m_step.m_kinematics;
-	const btScalar dt = 1 / info->fps;
 	const btVector3 linear = A.getVelocityInLocalPoint(k.m_rA) - B.getVelocityInLocalPoint(k.m_rB);
-	const btVector3 angular = A.getAngularVelocity() - B.getAngularVelocity();
 	btScalar velocity[BT_EP_DOF_COUNT];
-	project(linear, angular, velocity);
+	project(linear, A.getAngularVelocity() - B.getAngularVelocity(), velocity);
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		m_step.m_row[r].m_velocity0 = velocity[m_step.m_row[r].m_dof];
+		m_step.m_row[r].m_impulse = 0;
+	}
 	m_step.m_dt = dt;
 	takeBackKinematicMotion(dt);
-	const btMatrix3x3 inverseInertias = A.getInvInertiaTensorWorld() + B.getInvInertiaTensorWorld();
+}
+
+void btElasticPlasticJoint::getDiagonals(btScalar diagonals[BT_EP_DOF_COUNT]) const
+{
+	const btMatrix3x3 inverseInertias = m_constraint.getRigidBodyA().getInvInertiaTensorWorld() +
+										m_constraint.getRigidBodyB().getInvInertiaTensorWorld();
+	for (int r = 0; r < m_step.m_rows; ++r)
+		diagonals[r] = diagonal(m_step.m_row[r].m_dof, inverseInertias);
+}
+
+void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
+{
+	if (m_step.m_request == NO_ROWS)
+		return;
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	startStep(1 / info->fps);
+	btScalar diagonals[BT_EP_DOF_COUNT];
+	if (m_step.m_request == WHOLE_ROWS)
+		getDiagonals(diagonals);
 	for (int r = 0; r < m_step.m_rows; ++r)
 	{
 		Row& row = m_step.m_row[r];
@@ -173,35 +211,25 @@ void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info
 			copy(info->m_J1angularAxis + s, axis);
 			copy(info->m_J2angularAxis + s, -axis);
 		}
-		row.m_velocity0 = velocity[row.m_dof];
-		row.m_impulse = 0;
-		if (m_step.m_implicit)
+		if (m_step.m_request == JACOBIANS)
 			continue;
-		const btScalar a = diagonal(row.m_dof, inverseInertias);
-		row.m_row = makeRow(row.m_dof, a, info->erp, dt);
-		info->m_constraintError[s] = row.m_row.m_velocity;
-		info->cfm[s] = row.m_row.m_compliance / a;
-		info->m_lowerLimit[s] = row.m_row.m_lower;
-		info->m_upperLimit[s] = row.m_row.m_upper;
+		const btElasticPlasticRow made = startRow(row, diagonals[r], info->erp);
+		info->m_constraintError[s] = made.m_velocity;
+		info->cfm[s] = made.m_compliance / diagonals[r];
+		info->m_lowerLimit[s] = made.m_lower;
+		info->m_upperLimit[s] = made.m_upper;
 	}
 	m_dual.resize(0);
-	if (firstRow > 0 && !m_step.m_implicit)
+	if (firstRow > 0 && m_step.m_request == WHOLE_ROWS)
 		separateBaseRows(*info, firstRow);
 }
 
-void btElasticPlasticJoint::requestImplicitRows()
+void btElasticPlasticJoint::request(Request request)
 {
-	m_implicitRequested = true;
+	m_request = request;
 	// Bullet would fill it row by row, for nobody.
-	if (m_constraint.getJointFeedback() == &m_feedback)
+	if (request != WHOLE_ROWS && m_constraint.getJointFeedback() == &m_feedback)
 		m_constraint.setJointFeedback(nullptr);
-}
-
-const btElasticPlasticRow& btElasticPlasticJoint::implicitRow(int r, btScalar diagonal, btScalar erp)
-{
-	Row& row = m_step.m_row[r];
-	row.m_row = makeRow(row.m_dof, diagonal, erp, m_step.m_dt);
-	return row.m_row;
 }
 
 namespace
@@ -284,6 +312,31 @@ void btElasticPlasticJoint::readFeedback()
 	}
 }
 
+void btElasticPlasticJoint::reportImpulses()
+{
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	btVector3 sum[2] = {btVector3(0, 0, 0), btVector3(0, 0, 0)};
+	btScalar largest = 0;
+	for (int r = 0; r < m_step.m_rows; ++r)
+	{
+		const Row& row = m_step.m_row[r];
+		sum[row.m_dof / 3] += k.m_axis[row.m_dof % 3] * row.m_impulse;
+		btSetMax(largest, btFabs(row.m_impulse));
+		m_constraint.internalSetAppliedImpulse(row.m_impulse);
+	}
+	if (btJointFeedback* feedback = m_constraint.getJointFeedback())
+	{
+		const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
+		const btVector3 force = sum[0] / m_step.m_dt, torque = sum[1] / m_step.m_dt;
+		feedback->m_appliedForceBodyA += force * A.getLinearFactor();
+		feedback->m_appliedForceBodyB -= force * B.getLinearFactor();
+		feedback->m_appliedTorqueBodyA += (torque + k.m_rA.cross(force)) * A.getAngularFactor();
+		feedback->m_appliedTorqueBodyB -= (torque + k.m_rB.cross(force)) * B.getAngularFactor();
+	}
+	if (largest >= m_constraint.getBreakingImpulseThreshold())
+		m_constraint.setEnabled(false);
+}
+
 btElasticPlasticReturn btElasticPlasticJoint::returnMap(const Row& row, btScalar velocity1) const
 {
 	const btScalar k = m_capacity.m_stiffness[row.m_dof], yield = m_capacity.m_yield[row.m_dof];
@@ -293,21 +346,23 @@ btElasticPlasticReturn btElasticPlasticJoint::returnMap(const Row& row, btScalar
 	const btScalar trial = strain - m_step.m_dt * velocity1;
 	if (m_capacity.isRigidPlastic(row.m_dof))
 		return btElasticPlasticRigidReturnMap(
-			row.m_impulse, trial, btElasticPlasticAtBound(row.m_impulse, row.m_row, trial, yieldImpulse), m_step.m_dt);
+			row.m_impulse, trial, btElasticPlasticAtBound(row.m_impulse, row.m_lower, row.m_upper, trial, yieldImpulse),
+			m_step.m_dt);
 	if (m_scheme == BT_EP_SCHEME_PAPER)
 		// The paper looks at the deformation at the start of the step.
 		return btElasticPlasticReturnMap(
 			k, yield, strain, btFabs(row.m_impulse) > btScalar(0.99999) * yieldImpulse && row.m_impulse * strain > 0);
 	const bool beyond = btFabs(k * trial) > yield;
-	return btElasticPlasticReturnMap(k, yield, trial,
-									 beyond && btElasticPlasticAtBound(row.m_impulse, row.m_row, trial, yieldImpulse));
+	return btElasticPlasticReturnMap(
+		k, yield, trial,
+		beyond && btElasticPlasticAtBound(row.m_impulse, row.m_lower, row.m_upper, trial, yieldImpulse));
 }
 
 int btElasticPlasticJoint::commit()
 {
 	if (m_step.m_rows == 0)
 		return NOTHING;
-	if (!m_step.m_implicit)
+	if (m_step.m_request == WHOLE_ROWS)
 		readFeedback();
 
 	const btElasticPlasticKinematics& k = m_step.m_kinematics;
@@ -355,11 +410,10 @@ int btElasticPlasticJoint::commit()
 void btElasticPlasticJoint::turnReference(const btScalar increment[6])
 {
 	btElasticPlasticKinematics now;
-	now.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
-				 m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-				 m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	const btElasticPlasticTurn turn = measure(now);
 	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
 							now.m_strain[5] - increment[5]);
-	m_state.m_plasticRotation = (btElasticPlasticExp(-quatRotate(now.m_middle, elastic)) * now.m_relative).normalized();
-	m_state.m_plasticMiddle = (now.m_middle * btElasticPlasticExp(elastic * btScalar(-0.5))).normalized();
+	m_state.m_plasticRotation =
+		(btElasticPlasticExp(-quatRotate(turn.m_middle, elastic)) * turn.m_relative).normalized();
+	m_state.m_plasticMiddle = (turn.m_middle * btElasticPlasticExp(elastic * btScalar(-0.5))).normalized();
 }

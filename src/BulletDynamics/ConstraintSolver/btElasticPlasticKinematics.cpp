@@ -76,28 +76,31 @@ btQuaternion btElasticPlasticExp(const btVector3& rotation)
 	return btQuaternion(rotation.x() * s, rotation.y() * s, rotation.z() * s, btCos(angle / 2));
 }
 
-void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
-										  const btTransform& frameB, const btVector3& plasticOffset,
-										  const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle)
+btElasticPlasticTurn btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB,
+														  const btTransform& frameA, const btTransform& frameB,
+														  const btVector3& plasticOffset,
+														  const btQuaternion& plasticRotation,
+														  const btQuaternion& plasticMiddle)
 {
+	btElasticPlasticTurn turn;
 	const btMatrix3x3 basisA = bodyA.getBasis() * frameA.getBasis(), basisB = bodyB.getBasis() * frameB.getBasis();
-	basisA.transposeTimes(basisB).getRotation(m_relative);
-	if (m_relative.dot(plasticRotation) < 0)
-		m_relative = -m_relative;
+	basisA.transposeTimes(basisB).getRotation(turn.m_relative);
+	if (turn.m_relative.dot(plasticRotation) < 0)
+		turn.m_relative = -turn.m_relative;
 	btVector3 elastic;
 	if (isNone(plasticRotation) && isNone(plasticMiddle))
 	{
-		m_middle = halfOf(m_relative);
-		elastic = btElasticPlasticLog(m_relative);
+		turn.m_middle = halfOf(turn.m_relative);
+		elastic = btElasticPlasticLog(turn.m_relative);
 	}
 	else
 	{
 		// The middle frame is half an elastic rotation from the plastic middle: the rotation's components are the same in both.
-		const btQuaternion elasticTurn = m_relative * plasticRotation.inverse();
-		m_middle = halfOf(elasticTurn) * plasticMiddle;
+		const btQuaternion elasticTurn = turn.m_relative * plasticRotation.inverse();
+		turn.m_middle = halfOf(elasticTurn) * plasticMiddle;
 		elastic = quatRotate(plasticMiddle.inverse(), btElasticPlasticLog(elasticTurn));
 	}
-	const btMatrix3x3 mid = basisA * btMatrix3x3(m_middle);
+	const btMatrix3x3 mid = basisA * btMatrix3x3(turn.m_middle);
 	for (int i = 0; i < 3; ++i)
 		m_axis[i] = mid.getColumn(i);
 
@@ -111,4 +114,5 @@ void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTran
 		m_strain[i] = d.dot(m_axis[i]) - plasticOffset[i];
 		m_strain[3 + i] = elastic[i];
 	}
+	return turn;
 }

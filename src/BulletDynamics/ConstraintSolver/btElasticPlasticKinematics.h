@@ -18,6 +18,13 @@ subject to the following restrictions:
 
 #include "LinearMath/btTransform.h"
 
+/// How a joint's other frames stand in frame A.
+struct btElasticPlasticTurn
+{
+	btQuaternion m_relative;  ///< frame B: R, nearest to the plastic rotation
+	btQuaternion m_middle;    ///< the mid frame
+};
+
 /// Where a joint stands: its axes and its elastic deformation.
 ///
 /// Frames A and B are the joint's frames on its two bodies, R = R_A^T R_B their relative rotation. The axes are the columns of
@@ -31,20 +38,18 @@ subject to the following restrictions:
 /// Jacobians, for J v = -de/dt: [a, r_A x a, -a, -r_B x a] and [0, a, 0, -a].
 struct btElasticPlasticKinematics
 {
-	btVector3 m_axis[3];      ///< mid frame, world coordinates
-	btVector3 m_rA, m_rB;     ///< from the centres of mass to the common point, world coordinates [m]
-	btScalar m_strain[6];     ///< elastic deformation e [m], [rad], mid-frame components
-	btQuaternion m_relative;  ///< R, nearest to the plastic rotation
-	btQuaternion m_middle;    ///< mid frame as seen from frame A
+	btVector3 m_axis[3];   ///< mid frame, world coordinates
+	btVector3 m_rA, m_rB;  ///< from the centres of mass to the common point, world coordinates [m]
+	btScalar m_strain[6];  ///< elastic deformation e [m], [rad], mid-frame components
 
 	/// \param bodyA, bodyB    centre-of-mass transforms
 	/// \param frameA, frameB  joint frames in the bodies' coordinates
 	/// \param plasticOffset   mid-frame components [m]
 	/// \param plasticRotation R_p in frame A, unit quaternion; its sign counts: it carries the turns beyond 180 degrees
 	/// \param plasticMiddle   P, unit quaternion
-	void evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
-				  const btTransform& frameB, const btVector3& plasticOffset, const btQuaternion& plasticRotation,
-				  const btQuaternion& plasticMiddle);
+	btElasticPlasticTurn evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
+								  const btTransform& frameB, const btVector3& plasticOffset,
+								  const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle);
 };
 
 /// Rotation vector of a unit quaternion, |result| <= 2 pi, the sign of the quaternion is kept.

@@ -166,11 +166,11 @@ struct btElasticPlasticReturn
 
 /// Is the row's impulse at the bound at which it pulls back in direction sign (+1 or -1)?
 /// 1e-3 of the bounds' distance is what an iterative solver may leave.
-inline bool btElasticPlasticAtBound(btScalar impulse, const btElasticPlasticRow& row, btScalar sign,
+inline bool btElasticPlasticAtBound(btScalar impulse, btScalar lower, btScalar upper, btScalar sign,
 									btScalar yieldImpulse)
 {
 	const btScalar slack = btScalar(1e-3) * yieldImpulse;
-	return sign > 0 ? impulse >= row.m_upper - slack : impulse <= row.m_lower + slack;
+	return sign > 0 ? impulse >= upper - slack : impulse <= lower + slack;
 }
 
 /// Return mapping of the trial deformation e* = e_n - dt J v1.

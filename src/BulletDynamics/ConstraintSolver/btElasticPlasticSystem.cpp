@@ -20,140 +20,298 @@ subject to the following restrictions:
 
 #include <algorithm>
 
-namespace
-{
-/// Plans kept: islands that fall asleep and wake, or come in batches, find theirs again.
-const size_t MAX_PLANS = 32;
-}  // namespace
+#include "btElasticPlasticLap.h"
 
 void btElasticPlasticSystem::clear()
 {
-	m_mass.clear();
+	m_bodies.clear();
+	m_laws.clear();
+	m_joints.clear();
 	m_rows.clear();
 }
 
-int btElasticPlasticSystem::addBody(const double mass[36])
+btElasticPlasticSystem::Body& btElasticPlasticSystem::addBody()
 {
-	m_mass.insert(m_mass.end(), mass, mass + 36);
-	return getNumBodies() - 1;
+	m_bodies.emplace_back();
+	return m_bodies.back();
+}
+
+btElasticPlasticSystem::Joint& btElasticPlasticSystem::addJoint(int numLaws)
+{
+	m_joints.emplace_back();
+	Joint& joint = m_joints.back();
+	joint.m_firstLaw = int(m_laws.size());
+	joint.m_numLaws = numLaws;
+	m_laws.resize(m_laws.size() + numLaws);
+	return joint;
 }
 
 btElasticPlasticSystem::Row& btElasticPlasticSystem::addRow()
 {
 	m_rows.emplace_back();
+	m_rows.back().m_law = int(m_laws.size());
+	m_laws.emplace_back();
 	return m_rows.back();
 }
 
-btElasticPlasticSystem::Plan& btElasticPlasticSystem::findPlan()
+// ---- vectors in space
+
+namespace
 {
-	// Rows of one joint follow each other: one edge for all of them.
-	m_edges.clear();
-	for (Row& row : m_rows)
+const double AT_REST[6] = {};
+
+inline double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// to = a x b
+inline void cross(const double* a, const double* b, double* to)
+{
+	to[0] = a[1] * b[2] - a[2] * b[1];
+	to[1] = a[2] * b[0] - a[0] * b[2];
+	to[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+inline void addScaled(double factor, const double* a, double* to)
+{
+	for (int i = 0; i < 3; ++i)
+		to[i] += factor * a[i];
+}
+}  // namespace
+
+/// J v of all rows.
+void btElasticPlasticSystem::project(const std::vector<double>& velocity, std::vector<double>& along) const
+{
+	along.resize(m_laws.size());
+	const auto of = [&velocity](int body) { return body >= 0 ? &velocity[6 * size_t(body)] : AT_REST; };
+	for (const Joint& joint : m_joints)
 	{
-		row.m_edge = -1;
-		if (row.m_bodyA < 0 || row.m_bodyB < 0)
-			continue;
-		const size_t n = m_edges.size();
-		if (n < 2 || m_edges[n - 2] != row.m_bodyA || m_edges[n - 1] != row.m_bodyB)
+		const double *a = of(joint.m_body[0]), *b = of(joint.m_body[1]);
+		double turnA[3], turnB[3], relative[2][3];
+		cross(a + 3, joint.m_arm[0], turnA);
+		cross(b + 3, joint.m_arm[1], turnB);
+		for (int i = 0; i < 3; ++i)
 		{
-			m_edges.push_back(row.m_bodyA);
-			m_edges.push_back(row.m_bodyB);
+			relative[0][i] = a[i] + turnA[i] - b[i] - turnB[i];
+			relative[1][i] = a[3 + i] - b[3 + i];
 		}
-		row.m_edge = int(m_edges.size() / 2) - 1;
+		double* to = &along[joint.m_firstLaw];
+		for (int l = 0; l < joint.m_numLaws; ++l)
+		{
+			const int dof = joint.m_dof[l];
+			to[l] = dof < 3 ? dot(joint.m_axis[dof], relative[0]) : dot(joint.m_axis[dof - 3], relative[1]);
+		}
 	}
-	Plan* oldest = nullptr;
-	for (Plan& plan : m_plans)
+	for (const Row& row : m_rows)
 	{
-		if (plan.m_numBodies == getNumBodies() && plan.m_edges == m_edges)
-			return plan;
-		if (!oldest || plan.m_lastUse < oldest->m_lastUse)
-			oldest = &plan;
+		const double *a = of(row.m_body[0]), *b = of(row.m_body[1]);
+		along[row.m_law] = dot(row.m_J, a) + dot(row.m_J + 3, a + 3) + dot(row.m_J + 6, b) + dot(row.m_J + 9, b + 3);
 	}
-	if (m_plans.size() < MAX_PLANS)
+}
+
+/// momentum += sum J^T lambda.
+void btElasticPlasticSystem::addImpulses(std::vector<double>& momentum) const
+{
+	double onGround[6] = {};
+	const auto of = [&](int body) { return body >= 0 ? &momentum[6 * size_t(body)] : onGround; };
+	for (const Joint& joint : m_joints)
 	{
-		m_plans.emplace_back();
-		oldest = &m_plans.back();
+		double sum[2][3] = {}, moment[3];
+		for (int l = 0; l < joint.m_numLaws; ++l)
+		{
+			const int dof = joint.m_dof[l];
+			addScaled(m_laws[joint.m_firstLaw + l].m_impulse, joint.m_axis[dof % 3], sum[dof / 3]);
+		}
+		for (int side = 0; side < 2; ++side)
+		{
+			double* to = of(joint.m_body[side]);
+			const double sign = side == 0 ? 1 : -1;
+			cross(joint.m_arm[side], sum[0], moment);
+			addScaled(sign, sum[0], to);
+			addScaled(sign, moment, to + 3);
+			addScaled(sign, sum[1], to + 3);
+		}
 	}
-	oldest->m_numBodies = getNumBodies();
-	oldest->m_edges = m_edges;
-	oldest->m_matrix.setPattern(getNumBodies(), reinterpret_cast<const int(*)[2]>(m_edges.data()),
-								int(m_edges.size() / 2));
-	oldest->m_factor.analyse(oldest->m_matrix);
-	++m_statistics.m_analyses;
-	return *oldest;
+	for (const Row& row : m_rows)
+	{
+		const double impulse = m_laws[row.m_law].m_impulse;
+		for (int side = 0; side < 2; ++side)
+		{
+			double* to = of(row.m_body[side]);
+			addScaled(impulse, row.m_J + 6 * side, to);
+			addScaled(impulse, row.m_J + 6 * side + 3, to + 3);
+		}
+	}
+}
+
+void btElasticPlasticSystem::multiplyMass(const std::vector<double>& x, std::vector<double>& y) const
+{
+	for (size_t b = 0; b < m_bodies.size(); ++b)
+		for (int i = 0; i < 3; ++i)
+		{
+			y[6 * b + i] = m_bodies[b].m_mass[i] * x[6 * b + i];
+			y[6 * b + 3 + i] = dot(&m_bodies[b].m_inertia[3 * i], &x[6 * b + 3]);
+		}
 }
 
 // ---- the matrix
 
-namespace
+/// Rows between the same bodies that follow each other have one edge.
+int btElasticPlasticSystem::addEdge(const int body[2])
 {
-/// block += w x y^T; from = 3 where only the angular parts are not zero.
-void addProduct(double* block, double w, const double* x, const double* y, int from)
-{
-	for (int column = from; column < 6; ++column)
-	{
-		const double wy = w * y[column];
-		for (int row = from; row < 6; ++row)
-			block[6 * column + row] += wy * x[row];
-	}
+	if (body[0] < 0 || body[1] < 0)
+		return -1;
+	const size_t n = m_edges.size();
+	if (n < 2 || m_edges[n - 2] != body[0] || m_edges[n - 1] != body[1])
+		m_edges.insert(m_edges.end(), body, body + 2);
+	return int(m_edges.size() / 2) - 1;
 }
-}  // namespace
+
+void btElasticPlasticSystem::findEdges()
+{
+	m_edges.clear();
+	for (Joint& joint : m_joints)
+		joint.m_edge = addEdge(joint.m_body);
+	for (Row& row : m_rows)
+		row.m_edge = addEdge(row.m_body);
+}
 
 void btElasticPlasticSystem::assemble()
 {
-	btElasticPlasticBlockMatrix& matrix = m_plan->m_matrix;
+	const btElasticPlasticLap lap("elastic-plastic assemble", m_statistics.m_assemblyTime);
+	btElasticPlasticBlockMatrix& matrix = m_linearSolver.getMatrix();
 	matrix.setZero();
-	for (int i = 0; i < getNumBodies(); ++i)
-		memcpy(matrix.diagonal(i), &m_mass[36 * size_t(i)], 36 * sizeof(double));
-	m_changedBodies.clear();
-	for (Row& row : m_rows)
+	for (int b = 0; b < getNumBodies(); ++b)
 	{
-		const bool isIn = row.m_bound == 0;
-		if (isIn)
-			addToMatrix(row, 1 / row.m_compliance);
-		if (isIn != row.m_isInMatrix)
-			for (int body : {row.m_bodyA, row.m_bodyB})
-				if (body >= 0)
-					m_changedBodies.push_back(body);
-		row.m_isInMatrix = isIn;
+		double* block = matrix.diagonal(b);
+		for (int i = 0; i < 3; ++i)
+		{
+			block[7 * i] = m_bodies[b].m_mass[i];
+			memcpy(block + 6 * (3 + i) + 3, &m_bodies[b].m_inertia[3 * i], 3 * sizeof(double));
+		}
+	}
+	m_changedBodies.clear();
+	for (const Joint& joint : m_joints)
+	{
+		addToMatrix(joint);
+		noteChange(joint.m_body, joint.m_firstLaw, joint.m_numLaws);
+	}
+	for (const Row& row : m_rows)
+	{
+		if (m_laws[row.m_law].m_bound == 0)
+			addToMatrix(row);
+		noteChange(row.m_body, row.m_law, 1);
 	}
 	m_matrixIsCurrent = true;
-	m_factorIsCurrent = false;
+	m_linearSolver.setAssembled(m_changedBodies);
 }
 
-void btElasticPlasticSystem::addToMatrix(const Row& row, double weight)
+void btElasticPlasticSystem::noteChange(const int body[2], int firstLaw, int numLaws)
 {
-	btElasticPlasticBlockMatrix& matrix = m_plan->m_matrix;
-	const double *a = row.m_J, *b = row.m_J + 6;
-	const int from = row.m_isAngular ? 3 : 0;
-	if (row.m_bodyA >= 0)
-		addProduct(matrix.diagonal(row.m_bodyA), weight, a, a, from);
-	if (row.m_bodyB >= 0)
-		addProduct(matrix.diagonal(row.m_bodyB), weight, b, b, from);
+	bool changed = false;
+	for (int l = firstLaw; l < firstLaw + numLaws; ++l)
+	{
+		const bool isIn = m_laws[l].m_bound == 0;
+		changed |= isIn != m_laws[l].m_isInMatrix;
+		m_laws[l].m_isInMatrix = isIn;
+	}
+	for (int side = 0; changed && side < 2; ++side)
+		if (body[side] >= 0)
+			m_changedBodies.push_back(body[side]);
+}
+
+namespace
+{
+/// A 6x6 block in four 3x3 parts, each by columns.
+struct Parts
+{
+	double m_topLeft[9], m_bottomLeft[9], m_topRight[9], m_bottomRight[9];
+
+	void addTo(double* block) const
+	{
+		for (int c = 0; c < 3; ++c)
+			for (int r = 0; r < 3; ++r)
+			{
+				block[6 * c + r] += m_topLeft[3 * c + r];
+				block[6 * c + 3 + r] += m_bottomLeft[3 * c + r];
+				block[6 * (3 + c) + r] += m_topRight[3 * c + r];
+				block[6 * (3 + c) + 3 + r] += m_bottomRight[3 * c + r];
+			}
+	}
+};
+
+/// to = sum w a a^T, lower is mirrored; a symmetric 3x3 matrix.
+inline void addSquare(double w, const double* a, double* to)
+{
+	for (int c = 0; c < 3; ++c)
+		for (int r = 0; r < 3; ++r)
+			to[3 * c + r] += w * a[c] * a[r];
+}
+}  // namespace
+
+/// With S = sum a a^T / C along the axes, U the same about them, and X the matrix of r x: the rows' squares sum up to
+///     [ S     S X^T         ]
+///     [ X S   X S X^T + U   ]   on a body, and to minus [ S, S XB^T; XA S, XA S XB^T + U ] between the two.
+void btElasticPlasticSystem::addToMatrix(const Joint& joint)
+{
+	double square[2][9] = {};
+	for (int l = 0; l < joint.m_numLaws; ++l)
+	{
+		const Law& law = m_laws[joint.m_firstLaw + l];
+		if (law.m_bound == 0)
+			addSquare(1 / law.m_compliance, joint.m_axis[joint.m_dof[l] % 3], square[joint.m_dof[l] / 3]);
+	}
+	// X S of both bodies; as S is symmetric, S X^T is its mirror image, and X S X^T the product of X with that.
+	double moment[2][9], mirrored[2][9];
+	for (int side = 0; side < 2; ++side)
+	{
+		for (int c = 0; c < 3; ++c)
+			cross(joint.m_arm[side], square[0] + 3 * c, moment[side] + 3 * c);
+		for (int c = 0; c < 3; ++c)
+			for (int r = 0; r < 3; ++r)
+				mirrored[side][3 * c + r] = moment[side][3 * r + c];
+	}
+	btElasticPlasticBlockMatrix& matrix = m_linearSolver.getMatrix();
+	const auto parts = [&](int row, int column, double sign)
+	{
+		Parts p;
+		for (int c = 0; c < 3; ++c)
+			cross(joint.m_arm[row], mirrored[column] + 3 * c, p.m_bottomRight + 3 * c);
+		for (int i = 0; i < 9; ++i)
+		{
+			p.m_topLeft[i] = sign * square[0][i];
+			p.m_bottomLeft[i] = sign * moment[row][i];
+			p.m_topRight[i] = sign * mirrored[column][i];
+			p.m_bottomRight[i] = sign * (p.m_bottomRight[i] + square[1][i]);
+		}
+		return p;
+	};
+	for (int side = 0; side < 2; ++side)
+		if (joint.m_body[side] >= 0)
+			parts(side, side, 1).addTo(matrix.diagonal(joint.m_body[side]));
+	if (joint.m_edge < 0)
+		return;
+	bool transposed;
+	double* block = matrix.offDiagonal(joint.m_edge, transposed);
+	parts(transposed, !transposed, -1).addTo(block);
+}
+
+void btElasticPlasticSystem::addToMatrix(const Row& row)
+{
+	btElasticPlasticBlockMatrix& matrix = m_linearSolver.getMatrix();
+	const double weight = 1 / m_laws[row.m_law].m_compliance;
+	const auto add = [weight](double* block, const double* x, const double* y)
+	{
+		for (int c = 0; c < 6; ++c)
+			for (int r = 0; r < 6; ++r)
+				block[6 * c + r] += weight * x[r] * y[c];
+	};
+	for (int side = 0; side < 2; ++side)
+		if (row.m_body[side] >= 0)
+			add(matrix.diagonal(row.m_body[side]), row.m_J + 6 * side, row.m_J + 6 * side);
 	if (row.m_edge < 0)
 		return;
 	bool transposed;
 	double* block = matrix.offDiagonal(row.m_edge, transposed);
-	transposed ? addProduct(block, weight, b, a, from) : addProduct(block, weight, a, b, from);
-}
-
-/// Is a factor so much more expensive than a solution that iterating with an old one pays?
-bool btElasticPlasticSystem::isWorthKeeping() const
-{
-	const btElasticPlasticBlockFactor& factor = m_plan->m_factor;
-	return double(factor.getNumOperations()) > 8. * 144 * double(factor.getNumBlocks());
-}
-
-/// Where few bounds have changed since a factorisation of the same solve(), only what depends on them is done again.
-bool btElasticPlasticSystem::factorise()
-{
-	btElasticPlasticBlockFactor& factor = m_plan->m_factor;
-	++m_statistics.m_factorisations;
-	m_factorIsCurrent = m_factorIsOfThisSolve && 8 * m_changedBodies.size() < size_t(getNumBodies())
-							? factor.factorise(m_plan->m_matrix, m_changedBodies.data(), int(m_changedBodies.size()))
-							: factor.factorise(m_plan->m_matrix);
-	m_factorIsOfThisSolve = m_factorIsCurrent;
-	return m_factorIsCurrent;
+	add(block, row.m_J + (transposed ? 6 : 0), row.m_J + (transposed ? 0 : 6));
 }
 
 /// x = H^-1 x for the rows' present bounds.
@@ -161,152 +319,48 @@ bool btElasticPlasticSystem::solveLinear(std::vector<double>& x)
 {
 	if (!m_matrixIsCurrent)
 		assemble();
-	if (!m_factorIsCurrent && !m_factorIsOfThisSolve && m_plan->m_factor.hasFactor() && m_maxIterations > 0 &&
-		isWorthKeeping())
-	{
-		if (m_plan->m_patience > 0)
-			--m_plan->m_patience;
-		else if (iterate(x))
-			return true;
-		else
-			m_plan->m_patience = 8;
-	}
-	if (!m_factorIsCurrent && !factorise())
-		return false;
-	m_plan->m_factor.solve(x.data());
-	++m_statistics.m_solutions;
-	return true;
-}
-
-namespace
-{
-double dot(const std::vector<double>& x, const std::vector<double>& y)
-{
-	double sum = 0;
-	for (size_t i = 0; i < x.size(); ++i)
-		sum += x[i] * y[i];
-	return sum;
-}
-}  // namespace
-
-/// Conjugate gradients, preconditioned with a factor that H has left behind a little. Leaves x as it was if it takes too long.
-bool btElasticPlasticSystem::iterate(std::vector<double>& x)
-{
-	const btElasticPlasticBlockMatrix& matrix = m_plan->m_matrix;
-	const btElasticPlasticBlockFactor& factor = m_plan->m_factor;
-	const size_t n = x.size();
-	const double enough = m_iterationTolerance * m_iterationTolerance * dot(x, x);
-	m_rest = x;
-	m_product.resize(n);
-	m_preconditioned = m_rest;
-	factor.solve(m_preconditioned.data());
-	++m_statistics.m_solutions;
-	m_search = m_preconditioned;
-	m_solution.assign(n, 0.);
-	double rz = dot(m_rest, m_preconditioned), before = dot(x, x);
-	for (int i = 0; i < m_maxIterations; ++i)
-	{
-		matrix.multiply(m_search.data(), m_product.data());
-		++m_statistics.m_iterations;
-		const double alpha = rz / dot(m_search, m_product);
-		double rest = 0;
-		for (size_t k = 0; k < n; ++k)
-		{
-			m_solution[k] += alpha * m_search[k];
-			m_rest[k] -= alpha * m_product[k];
-			rest += m_rest[k] * m_rest[k];
-		}
-		if (rest <= enough)
-		{
-			x.swap(m_solution);
-			return true;
-		}
-		// Give up when the way is too long: each iteration gains about what the last one did.
-		if (!(rest < before) || pow(rest / before, m_maxIterations - 1 - i) * rest > enough)
-			return false;
-		before = rest;
-		m_preconditioned = m_rest;
-		factor.solve(m_preconditioned.data());
-		++m_statistics.m_solutions;
-		const double next = dot(m_rest, m_preconditioned);
-		for (size_t k = 0; k < n; ++k)
-			m_search[k] = m_preconditioned[k] + next / rz * m_search[k];
-		rz = next;
-	}
-	return false;
+	return m_linearSolver.solve(x);
 }
 
 // ---- the function
 
-double btElasticPlasticSystem::along(const Row& row, const std::vector<double>& velocity) const
+/// Impulses and bounds of all rows at dv.
+void btElasticPlasticSystem::evaluate()
 {
-	double sum = 0;
-	if (row.m_bodyA >= 0)
-		for (int i = 0; i < 6; ++i)
-			sum += row.m_J[i] * velocity[6 * size_t(row.m_bodyA) + i];
-	if (row.m_bodyB >= 0)
-		for (int i = 0; i < 6; ++i)
-			sum += row.m_J[6 + i] * velocity[6 * size_t(row.m_bodyB) + i];
-	return sum;
+	const btElasticPlasticLap lap("elastic-plastic search", m_statistics.m_searchTime);
+	project(m_velocity, m_along);
+	m_boundsChanged = false;
+	for (size_t l = 0; l < m_laws.size(); ++l)
+	{
+		Law& law = m_laws[l];
+		const double impulse = (law.m_target - m_along[l]) / law.m_compliance;
+		const signed char bound = impulse > law.m_upper ? 1 : impulse < law.m_lower ? -1 : 0;
+		law.m_impulse = bound > 0 ? law.m_upper : bound < 0 ? law.m_lower : impulse;
+		m_boundsChanged |= bound != law.m_bound;
+		law.m_bound = bound;
+	}
+	if (m_boundsChanged)
+		m_matrixIsCurrent = false;
 }
 
-void btElasticPlasticSystem::addTo(std::vector<double>& momentum, const Row& row, double impulse) const
+/// The residual that belongs to the last evaluate(). \return phi
+double btElasticPlasticSystem::findResidual()
 {
-	if (row.m_bodyA >= 0)
-		for (int i = 0; i < 6; ++i)
-			momentum[6 * size_t(row.m_bodyA) + i] += row.m_J[i] * impulse;
-	if (row.m_bodyB >= 0)
-		for (int i = 0; i < 6; ++i)
-			momentum[6 * size_t(row.m_bodyB) + i] += row.m_J[6 + i] * impulse;
-}
-
-void btElasticPlasticSystem::multiplyMass(const std::vector<double>& x, std::vector<double>& y) const
-{
-	for (int b = 0; b < getNumBodies(); ++b)
-		for (int row = 0; row < 6; ++row)
-		{
-			double sum = 0;
-			for (int column = 0; column < 6; ++column)
-				sum += m_mass[36 * size_t(b) + 6 * column + row] * x[6 * size_t(b) + column];
-			y[6 * size_t(b) + row] = sum;
-		}
-}
-
-/// At dv: impulses and bounds of all rows, the residual, and phi.
-double btElasticPlasticSystem::evaluate()
-{
-	multiplyMass(m_velocity, m_residual);
+	const btElasticPlasticLap lap("elastic-plastic search", m_statistics.m_searchTime);
 	double phi = 0;
+	for (size_t l = 0; l < m_laws.size(); ++l)
+	{
+		// psi is u^2 / 2C between the bounds and goes on straight beyond them.
+		const Law& law = m_laws[l];
+		phi += law.m_impulse * (law.m_target - m_along[l] - 0.5 * law.m_compliance * law.m_impulse);
+	}
+	multiplyMass(m_velocity, m_residual);
 	for (size_t i = 0; i < m_residual.size(); ++i)
 	{
 		phi += 0.5 * m_velocity[i] * m_residual[i];
 		m_residual[i] = -m_residual[i];
 	}
-	m_boundsChanged = false;
-	for (Row& row : m_rows)
-	{
-		const double u = row.m_target + row.m_compliance * row.m_multiplier - along(row, m_velocity);
-		double impulse = u / row.m_compliance;
-		signed char bound = 0;
-		if (impulse > row.m_upper)
-		{
-			impulse = row.m_upper;
-			bound = 1;
-		}
-		else if (impulse < row.m_lower)
-		{
-			impulse = row.m_lower;
-			bound = -1;
-		}
-		// psi is u^2 / 2C between the bounds and goes on straight beyond them.
-		phi += impulse * (u - 0.5 * row.m_compliance * impulse);
-		m_boundsChanged |= bound != row.m_bound;
-		row.m_bound = bound;
-		row.m_impulse = impulse;
-		addTo(m_residual, row, impulse);
-	}
-	if (m_boundsChanged)
-		m_matrixIsCurrent = false;
+	addImpulses(m_residual);
 	return phi;
 }
 
@@ -315,23 +369,26 @@ double btElasticPlasticSystem::evaluate()
 /// dv for the rows' present bounds as if they were right.
 bool btElasticPlasticSystem::guess()
 {
+	for (Law& law : m_laws)
+		law.m_impulse = law.m_bound == 0  ? law.m_target / law.m_compliance
+						: law.m_bound > 0 ? law.m_upper
+										  : law.m_lower;
 	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
-	for (const Row& row : m_rows)
-		addTo(m_velocity, row,
-			  row.m_bound == 0  ? row.m_target / row.m_compliance + row.m_multiplier
-			  : row.m_bound > 0 ? row.m_upper
-								: row.m_lower);
+	addImpulses(m_velocity);
 	return solveLinear(m_velocity);
 }
 
 bool btElasticPlasticSystem::newton()
 {
-	double phi = evaluate();
+	evaluate();
 	// With the bounds that were guessed, dv solves a linear problem, exactly.
-	for (int step = 0; m_boundsChanged; ++step)
+	if (!m_boundsChanged)
+		return true;
+	double phi = findResidual();
+	for (int step = 0; step < m_maxNewtonSteps; ++step)
 	{
 		m_step = m_residual;
-		if (step == m_maxNewtonSteps || !solveLinear(m_step))
+		if (!solveLinear(m_step))
 			return false;
 		++m_statistics.m_newtonSteps;
 		double slope = 0;
@@ -339,19 +396,21 @@ bool btElasticPlasticSystem::newton()
 			slope -= m_residual[i] * m_step[i];
 		m_start = m_velocity;
 		move(1);
-		const double phi0 = phi;
-		phi = evaluate();
-		if (phi <= phi0 + 1e-4 * slope + 1e-14 * fabs(phi0))
-			// A full step that changes no bound has solved the linear problem of these bounds.
+		evaluate();
+		// So does a full step that changes no bound.
+		if (!m_boundsChanged)
+			return true;
+		const double before = phi;
+		phi = findResidual();
+		if (phi <= before + 1e-4 * slope + 1e-14 * fabs(before))
 			continue;
-		move(0);
 		move(exactLength());
-		phi = evaluate();
+		evaluate();
+		phi = findResidual();
 		if (!(phi == phi))
 			return false;
-		m_boundsChanged = true;
 	}
-	return true;
+	return false;
 }
 
 void btElasticPlasticSystem::move(double length)
@@ -360,38 +419,33 @@ void btElasticPlasticSystem::move(double length)
 		m_velocity[i] = m_start[i] + length * m_step[i];
 }
 
-/// Where phi is least along the step from the present dv, between 0 and 1. Its derivative there is monotonous and piecewise
-/// linear, with a kink wherever a row reaches a bound: Newton's method, kept in the bracket, ends exactly. Halving the step
-/// would not do: rows of little compliance bend phi almost like an edge, and the search would zigzag along it.
+/// Where phi is least along the step from the start, between 0 and 1. Its derivative there is monotonous and piecewise linear,
+/// with a kink wherever a row reaches a bound: Newton's method, kept in the bracket, ends exactly. Halving the step would not
+/// do: rows of little compliance bend phi almost like an edge, and the search would zigzag along it.
 double btElasticPlasticSystem::exactLength()
 {
+	const btElasticPlasticLap lap("elastic-plastic search", m_statistics.m_searchTime);
 	m_work.resize(m_step.size());
 	multiplyMass(m_step, m_work);
 	double along0 = 0, along1 = 0;
 	for (size_t i = 0; i < m_step.size(); ++i)
 	{
-		along0 += m_work[i] * m_velocity[i];
+		along0 += m_work[i] * m_start[i];
 		along1 += m_work[i] * m_step[i];
 	}
-	m_rowDistance.resize(m_rows.size());
-	m_rowSpeed.resize(m_rows.size());
-	for (size_t i = 0; i < m_rows.size(); ++i)
-	{
-		const Row& row = m_rows[i];
-		m_rowDistance[i] = row.m_target + row.m_compliance * row.m_multiplier - along(row, m_velocity);
-		m_rowSpeed[i] = along(row, m_step);
-	}
+	project(m_start, m_alongStart);
+	project(m_step, m_along);
 	double low = 0, high = 1, t = 1;
 	for (int i = 0; i < 60 && high - low > 1e-15; ++i)
 	{
 		double derivative = along0 + t * along1, second = along1;
-		for (size_t r = 0; r < m_rows.size(); ++r)
+		for (size_t l = 0; l < m_laws.size(); ++l)
 		{
-			const Row& row = m_rows[r];
-			const double impulse = (m_rowDistance[r] - t * m_rowSpeed[r]) / row.m_compliance;
-			derivative -= m_rowSpeed[r] * std::max(row.m_lower, std::min(row.m_upper, impulse));
-			if (impulse > row.m_lower && impulse < row.m_upper)
-				second += m_rowSpeed[r] * m_rowSpeed[r] / row.m_compliance;
+			const Law& law = m_laws[l];
+			const double impulse = (law.m_target - m_alongStart[l] - t * m_along[l]) / law.m_compliance;
+			derivative -= m_along[l] * std::max(law.m_lower, std::min(law.m_upper, impulse));
+			if (impulse > law.m_lower && impulse < law.m_upper)
+				second += m_along[l] * m_along[l] / law.m_compliance;
 		}
 		(derivative > 0 ? high : low) = t;
 		const double next = t - derivative / second;
@@ -411,38 +465,37 @@ bool btElasticPlasticSystem::tightenContacts()
 	{
 		if (!row.m_isContact)
 			continue;
-		slip = std::max(slip, row.m_compliance * fabs(row.m_impulse - row.m_multiplier));
+		Law& law = m_laws[row.m_law];
+		slip = std::max(slip, law.m_compliance * fabs(law.m_impulse - row.m_multiplier));
 		fastest = std::max(fastest, fabs(row.m_target));
-		row.m_multiplier = row.m_impulse;
+		row.m_multiplier = law.m_impulse;
+		law.m_target = row.m_target + law.m_compliance * row.m_multiplier;
 	}
-	for (Row& row : m_rows)
+	for (const Row& row : m_rows)
 	{
 		if (row.m_normal < 0)
 			continue;
-		double bound = row.m_friction * std::max(0., m_rows[row.m_normal].m_impulse);
+		Law& law = m_laws[row.m_law];
+		double bound = row.m_friction * std::max(0., m_laws[m_rows[row.m_normal].m_law].m_impulse);
 		if (row.m_frictionMax > 0)
 			bound = std::min(bound, row.m_frictionMax);
-		frictionChange = std::max(frictionChange, fabs(bound - row.m_upper));
+		frictionChange = std::max(frictionChange, fabs(bound - law.m_upper));
 		strongest = std::max(strongest, bound);
-		row.m_upper = bound;
-		row.m_lower = -bound;
+		law.m_upper = bound;
+		law.m_lower = -bound;
 	}
 	return slip > m_contactTolerance * fastest || frictionChange > 0.01 * strongest;
 }
 
-bool btElasticPlasticSystem::solve()
+bool btElasticPlasticSystem::search()
 {
-	++m_statistics.m_systems;
-	m_statistics.m_rows += getNumRows();
-	m_plan = &findPlan();
-	m_plan->m_lastUse = ++m_time;
-	m_matrixIsCurrent = m_factorIsCurrent = m_factorIsOfThisSolve = false;
-	m_velocity.assign(6 * size_t(getNumBodies()), 0.);
-	m_residual.resize(m_velocity.size());
-
 	bool hasContacts = false;
-	for (const Row& row : m_rows)
-		hasContacts |= row.m_isContact;
+	for (Row& row : m_rows)
+		if (row.m_isContact)
+		{
+			hasContacts = true;
+			row.m_target = m_laws[row.m_law].m_target;
+		}
 	if (hasContacts)
 		tightenContacts();
 	bool solved = guess() && newton();
@@ -454,7 +507,18 @@ bool btElasticPlasticSystem::solve()
 	}
 	for (double v : m_velocity)
 		solved = solved && fabs(v) < 1e30;
-	if (!solved)
-		++m_statistics.m_failures;
 	return solved;
+}
+
+bool btElasticPlasticSystem::solve(int& ticket)
+{
+	++m_statistics.m_islands;
+	m_statistics.m_rows += int(m_laws.size());
+	findEdges();
+	m_linearSolver.begin(getNumBodies(), m_edges, ticket);
+	ticket = m_linearSolver.getTicket();
+	m_matrixIsCurrent = false;
+	m_velocity.assign(6 * size_t(getNumBodies()), 0.);
+	m_residual.resize(m_velocity.size());
+	return search();
 }

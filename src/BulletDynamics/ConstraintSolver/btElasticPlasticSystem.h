@@ -18,8 +18,7 @@ subject to the following restrictions:
 
 #include <vector>
 
-#include "btElasticPlasticBlockFactor.h"
-#include "btElasticPlasticBlockMatrix.h"
+#include "btElasticPlasticLinearSolver.h"
 
 /// A velocity-level problem of bodies and bounded, compliant rows, solved directly, in double whatever Bullet's precision.
 ///
@@ -35,74 +34,84 @@ subject to the following restrictions:
 /// pair of joined bodies. Semismooth Newton with a line search, begun at the solution for the last step's set of bounded rows
 /// (from zero it would have to find that set step by step), ends in 1 to 3 factorisations.
 ///
-/// Contacts are rows too, but hard (C = 0) and with friction bounded by the normal impulse. They are made soft by an augmented
-/// Lagrangian: with compliance c and multiplier l the row asks for J dv + c (lambda - l) = b; l becomes the last lambda until
-/// nothing changes. Friction bounds follow the normal impulses in the same loop.
+/// The rows of a joint share axes and arms: they are a unit here, a fraction of the memory and of the arithmetic of as many
+/// single rows. Other constraints and contacts come as single rows.
+///
+/// Contacts are hard (C = 0), with friction bounded by the normal impulse. They are made soft by an augmented Lagrangian: with
+/// compliance c and multiplier l the row asks for J dv + c (lambda - l) = b; l becomes the last lambda until nothing changes.
+/// Friction bounds follow the normal impulses in the same loop.
 class btElasticPlasticSystem
 {
 public:
-	/// A row of (1). Bodies by index, -1: one that does not move.
-	struct Row
+	struct Body
 	{
-		double m_J[12];       ///< linear and angular part on body A, then on body B
+		double m_mass[3];     ///< along the world's axes
+		double m_inertia[9];  ///< symmetric, positive definite, world coordinates
+	};
+
+	/// What (1) asks of a row.
+	struct Law
+	{
 		double m_target;      ///< b
 		double m_compliance;  ///< C > 0
 		double m_lower;
 		double m_upper;
 		double m_impulse = 0;     ///< lambda; before solve(): the first guess of a contact's
-		double m_multiplier = 0;  ///< l of a contact
-		int m_bodyA;
-		int m_bodyB;
-		int m_edge = -1;           ///< of the matrix's pattern, set by solve()
+		signed char m_bound = 0;  ///< -1 at the lower, 1 at the upper bound, 0 between; before solve(): the first guess
+		bool m_isInMatrix = false;  ///< set by solve()
+	};
+
+	/// Rows along and about three axes through a point: J = [a, rA x a, -a, -rB x a] and [0, a, 0, -a].
+	struct Joint
+	{
+		double m_axis[3][3];  ///< a, at a right angle to each other, unit length
+		double m_arm[2][3];   ///< rA, rB: from the bodies' centres of mass to the point
+		int m_body[2];        ///< by index, -1: one that does not move
+		int m_firstLaw;
+		int m_numLaws;
+		signed char m_dof[6];  ///< of each law: 0 to 2 along, 3 to 5 about an axis
+		int m_edge = -1;       ///< of the matrix, set by solve()
+	};
+
+	struct Row
+	{
+		double m_J[12];  ///< linear and angular part on one body, then on the other
+		int m_body[2];   ///< by index, -1: one that does not move
+		int m_law;
+		int m_edge = -1;  ///< of the matrix, set by solve()
+		bool m_isContact = false;
 		int m_normal = -1;         ///< friction: the row of its normal impulse
 		double m_friction = 0;     ///< friction: coefficient
 		double m_frictionMax = 0;  ///< friction: greatest bound, 0: none
-		signed char m_bound = 0;  ///< -1 at the lower, 1 at the upper bound, 0 between; before solve(): the first guess
-		bool m_isInMatrix = false;  ///< set by solve()
-		bool m_isContact = false;
-		bool m_isAngular = false;  ///< has no linear part
+		double m_target = 0;       ///< b of a contact, set by solve()
+		double m_multiplier = 0;   ///< l of a contact, set by solve()
 	};
 
-	/// What solving took, summed over calls.
-	struct Statistics
-	{
-		long long m_systems = 0;
-		long long m_rows = 0;
-		long long m_newtonSteps = 0;
-		long long m_analyses = 0;  ///< of the graph
-		long long m_factorisations = 0;
-		long long m_solutions = 0;   ///< with a factor
-		long long m_iterations = 0;  ///< of conjugate gradients with the factor of an earlier step
-		long long m_contactLoops = 0;
-		long long m_failures = 0;  ///< no convergence or no numbers: the caller's fallback took over
-	};
+	btElasticPlasticSystem() : m_linearSolver(m_statistics) {}
 
 	/// Begins a new problem.
 	void clear();
 
-	/// \param mass  symmetric 6x6, positive definite, element (row, column) at [6 * column + row]
-	/// \return the body's index
-	int addBody(const double mass[36]);
-
-	/// \return the row; the reference is valid until the next one is added
+	/// The references are valid until the next one is added.
+	Body& addBody();
+	Joint& addJoint(int numLaws);
 	Row& addRow();
 
-	int getNumBodies() const { return int(m_mass.size() / 36); }
+	int getNumBodies() const { return int(m_bodies.size()); }
 	int getNumRows() const { return int(m_rows.size()); }
-	Row& getRow(int i) { return m_rows[i]; }
+	int getNumLaws() const { return int(m_laws.size()); }
+	const Row& getRow(int i) const { return m_rows[i]; }
+	Law& getLaw(int i) { return m_laws[i]; }
 
 	/// Finds dv and the rows' impulses and bounds. \return false if it does not converge: then both mean nothing
-	bool solve();
+	bool solve(int& ticket);
 
 	/// dv of a body, 6 doubles
 	const double* getVelocityChange(int body) const { return &m_velocity[6 * size_t(body)]; }
 
-	const Statistics& getStatistics() const { return m_statistics; }
-	void resetStatistics() { m_statistics = Statistics(); }
-
-	/// A large system's factor is kept while a few iterations with it are cheaper than a new one. 0: never
-	int m_maxIterations = 8;
-	double m_iterationTolerance = 1e-11;  ///< of the residual momentum, relative to the right side
+	btElasticPlasticLinearSolver& getLinearSolver() { return m_linearSolver; }
+	btElasticPlasticStatistics& getStatistics() { return m_statistics; }
+	const btElasticPlasticStatistics& getStatistics() const { return m_statistics; }
 
 	/// Longest search, and how exactly contacts are solved.
 	int m_maxNewtonSteps = 500;
@@ -110,53 +119,43 @@ public:
 	double m_contactTolerance = 1e-3;  ///< of velocities, relative to the fastest approach
 
 private:
-	/// A pattern of bodies and edges met before, with the plan of its factorisation.
-	struct Plan
-	{
-		int m_numBodies = 0;
-		std::vector<int> m_edges;  // two bodies each
-		btElasticPlasticBlockMatrix m_matrix;
-		btElasticPlasticBlockFactor m_factor;
-		long long m_lastUse = 0;
-		int m_patience = 0;  // solutions for which iterating with an old factor is not tried again
-	};
-
-	Plan& findPlan();
+	void findEdges();
+	int addEdge(const int body[2]);
 	void assemble();
-	void addToMatrix(const Row& row, double weight);
-	bool factorise();
+	void addToMatrix(const Joint& joint);
+	void addToMatrix(const Row& row);
+	void noteChange(const int body[2], int firstLaw, int numLaws);
 	bool solveLinear(std::vector<double>& x);
-	bool iterate(std::vector<double>& x);
-	bool isWorthKeeping() const;
+
+	void project(const std::vector<double>& velocity, std::vector<double>& along) const;
+	void addImpulses(std::vector<double>& momentum) const;
 	void multiplyMass(const std::vector<double>& x, std::vector<double>& y) const;
-	double along(const Row& row, const std::vector<double>& velocity) const;
-	void addTo(std::vector<double>& momentum, const Row& row, double impulse) const;
-	double evaluate();
+
+	bool search();
 	bool guess();
 	bool newton();
+	void evaluate();
+	double findResidual();
 	void move(double length);
 	double exactLength();
 	bool tightenContacts();
 
-	std::vector<double> m_mass;
+	std::vector<Body> m_bodies;
+	std::vector<Law> m_laws;
+	std::vector<Joint> m_joints;
 	std::vector<Row> m_rows;
-	std::vector<int> m_edges;
-	std::vector<Plan> m_plans;
-	Plan* m_plan = nullptr;
-	long long m_time = 0;            // solve() calls, for the plans' age
-	bool m_boundsChanged = false;    // by the last evaluate()
-	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
-	bool m_factorIsCurrent = false;  // and the factor to H
-	bool m_factorIsOfThisSolve = false;
-	std::vector<int> m_changedBodies;  // since the last assembly
+	std::vector<int> m_edges;  // two bodies each
+	btElasticPlasticStatistics m_statistics;
+	btElasticPlasticLinearSolver m_linearSolver;
+	bool m_boundsChanged = false;      // by the last evaluate()
+	bool m_matrixIsCurrent = false;    // H belongs to the rows' present bounds
+	std::vector<int> m_changedBodies;  // by the last assembly
 	std::vector<double> m_velocity;    // dv
 	std::vector<double> m_residual;    // -gradient of (2) at dv
 	std::vector<double> m_step;
 	std::vector<double> m_start;
 	std::vector<double> m_work;
-	std::vector<double> m_rowDistance, m_rowSpeed;                                  // of the line search
-	std::vector<double> m_solution, m_search, m_product, m_preconditioned, m_rest;  // of conjugate gradients
-	Statistics m_statistics;
+	std::vector<double> m_along, m_alongStart;  // J times something, by law
 };
 
 #endif  // BT_ELASTIC_PLASTIC_SYSTEM_H

@@ -1,0 +1,294 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+// The direct form of btElasticPlasticConstraintSolver: from Bullet's bodies, rows and contacts to btElasticPlasticSystem and
+// back. Bullet sees no rows of elastic-plastic joints here, which saves most of what it spends on setting them up.
+
+#include "btElasticPlasticConstraintSolver.h"
+
+#include "btElasticPlasticLap.h"
+
+void btElasticPlasticConstraintSolver::convertToUnits(btTypedConstraint** constraints, int numConstraints,
+													  const btContactSolverInfo& info)
+{
+	for (int i = 0; i < numConstraints; ++i)
+		// A disabled one will not be asked for rows.
+		if (m_islandJoints[i] && constraints[i]->isEnabled())
+			m_islandJoints[i]->request(btElasticPlasticJoint::NO_ROWS);
+	btSequentialImpulseConstraintSolver::convertJoints(constraints, numConstraints, info);
+	for (int i = 0; i < numConstraints; ++i)
+	{
+		btElasticPlasticJoint* const joint = m_islandJoints[i];
+		if (!joint || !constraints[i]->isEnabled() || joint->getNumRows() == 0)
+			continue;
+		DirectJoint direct;
+		direct.m_joint = joint;
+		direct.m_solverBody[0] = getOrInitSolverBody(constraints[i]->getRigidBodyA(), info.m_timeStep);
+		direct.m_solverBody[1] = getOrInitSolverBody(constraints[i]->getRigidBodyB(), info.m_timeStep);
+		m_directJoints.push_back(direct);
+	}
+}
+
+namespace
+{
+/// Compliance of hard rows, of A: it shows in the twelfth digit.
+const double HARD = 1e-12;
+
+/// What a body's factors forbid to move is given the mass of something else: nothing pushes it, see addRow.
+void setMass(const btRigidBody& body, btElasticPlasticSystem::Body& to)
+{
+	for (int i = 0; i < 3; ++i)
+	{
+		const double factor = body.getLinearFactor()[i];
+		to.m_mass[i] = 1 / (double(body.getInvMass()) * (factor > 0 ? factor : 1));
+	}
+	// In the body's own axes the inertia is diagonal.
+	const btMatrix3x3& basis = body.getCenterOfMassTransform().getBasis();
+	for (double& element : to.m_inertia)
+		element = 0;
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		const double inverse = body.getInvInertiaDiagLocal()[axis],
+					 inertia = inverse > 0 ? 1 / inverse : 1e6 * to.m_mass[0];
+		for (int i = 0; i < 3; ++i)
+			for (int j = 0; j < 3; ++j)
+				to.m_inertia[3 * i + j] += inertia * double(basis[i][axis]) * double(basis[j][axis]);
+	}
+	for (int i = 0; i < 3; ++i)
+		if (body.getAngularFactor()[i] == 0)
+			for (int j = 0; j < 3; ++j)
+				if (j != i)
+					to.m_inertia[3 * i + j] = to.m_inertia[3 * j + i] = 0;
+}
+
+void copy(double* to, const btVector3& from, const btVector3& factor)
+{
+	for (int i = 0; i < 3; ++i)
+		to[i] = factor[i] != 0 ? double(from[i]) : 0;
+}
+bool isFree(const btRigidBody& body)
+{
+	const btVector3 one(1, 1, 1);
+	return body.getLinearFactor() == one && body.getAngularFactor() == one;
+}
+
+}  // namespace
+
+void btElasticPlasticConstraintSolver::addBodies()
+{
+	m_index.resizeNoInitialize(m_tmpSolverBodyPool.size());
+	for (int i = 0; i < m_tmpSolverBodyPool.size(); ++i)
+	{
+		const btRigidBody* body = m_tmpSolverBodyPool[i].m_originalBody;
+		m_index[i] = -1;
+		if (!body || body->getInvMass() == 0)
+			continue;
+		m_index[i] = m_system.getNumBodies();
+		setMass(*body, m_system.addBody());
+	}
+}
+
+/// From Bullet's row: its fixed point is rhs = cfm impulse + J dv / (A + C), with 1 / (A + C) what it multiplies by.
+btElasticPlasticSystem::Row& btElasticPlasticConstraintSolver::addRow(const btSolverConstraint& from)
+{
+	btElasticPlasticSystem::Row& row = m_system.addRow();
+	const btRigidBody *a = m_tmpSolverBodyPool[from.m_solverBodyIdA].m_originalBody,
+					  *b = m_tmpSolverBodyPool[from.m_solverBodyIdB].m_originalBody;
+	const btVector3 one(1, 1, 1);
+	copy(row.m_J, from.m_contactNormal1, a ? a->getLinearFactor() : one);
+	copy(row.m_J + 3, from.m_relpos1CrossNormal, a ? a->getAngularFactor() : one);
+	copy(row.m_J + 6, from.m_contactNormal2, b ? b->getLinearFactor() : one);
+	copy(row.m_J + 9, from.m_relpos2CrossNormal, b ? b->getAngularFactor() : one);
+	row.m_body[0] = m_index[from.m_solverBodyIdA];
+	row.m_body[1] = m_index[from.m_solverBodyIdB];
+	btElasticPlasticSystem::Law& law = m_system.getLaw(row.m_law);
+	const double diagonal = from.m_jacDiagABInv > 0 ? 1 / double(from.m_jacDiagABInv) : 1;
+	law.m_target = double(from.m_rhs) * diagonal;
+	law.m_compliance = btMax(double(from.m_cfm), HARD) * diagonal;
+	law.m_lower = from.m_lowerLimit;
+	law.m_upper = from.m_upperLimit;
+	return row;
+}
+
+void btElasticPlasticConstraintSolver::addJoint(DirectJoint& direct, const btContactSolverInfo& info)
+{
+	btElasticPlasticJoint& joint = *direct.m_joint;
+	joint.startStep(info.m_timeStep);
+	const btElasticPlasticKinematics& k = joint.getKinematics();
+	btScalar diagonals[BT_EP_DOF_COUNT];
+	joint.getDiagonals(diagonals);
+	const btSolverBody &A = m_tmpSolverBodyPool[direct.m_solverBody[0]],
+					   &B = m_tmpSolverBodyPool[direct.m_solverBody[1]];
+	const btVector3 wA = A.m_angularVelocity + A.m_externalTorqueImpulse,
+					wB = B.m_angularVelocity + B.m_externalTorqueImpulse;
+	const btVector3 velocity[2] = {A.m_linearVelocity + A.m_externalForceImpulse + wA.cross(k.m_rA) -
+									   B.m_linearVelocity - B.m_externalForceImpulse - wB.cross(k.m_rB),
+								   wA - wB};
+	const double most = joint.getConstraint().getBreakingImpulseThreshold();
+	const auto set = [&](btElasticPlasticSystem::Law& law, int r)
+	{
+		const int dof = joint.getRowDof(r);
+		const btElasticPlasticRow row = joint.implicitRow(r, diagonals[r], info.m_erp);
+		law.m_target = double(row.m_velocity) - double(velocity[dof / 3].dot(k.m_axis[dof % 3]));
+		law.m_compliance = btMax(double(row.m_compliance), HARD * double(diagonals[r]));
+		law.m_lower = btMax(double(row.m_lower), -most);
+		law.m_upper = btMin(double(row.m_upper), most);
+		law.m_bound = static_cast<signed char>(joint.getRowBound(r));
+	};
+	const btRigidBody* const bodies[2] = {A.m_originalBody, B.m_originalBody};
+	direct.m_firstLaw = m_system.getNumLaws();
+	const bool isUnit = (!bodies[0] || isFree(*bodies[0])) && (!bodies[1] || isFree(*bodies[1]));
+	if (isUnit)
+	{
+		btElasticPlasticSystem::Joint& unit = m_system.addJoint(joint.getNumRows());
+		for (int i = 0; i < 3; ++i)
+		{
+			for (int axis = 0; axis < 3; ++axis)
+				unit.m_axis[axis][i] = k.m_axis[axis][i];
+			unit.m_arm[0][i] = k.m_rA[i];
+			unit.m_arm[1][i] = k.m_rB[i];
+		}
+		for (int side = 0; side < 2; ++side)
+			unit.m_body[side] = m_index[direct.m_solverBody[side]];
+		for (int r = 0; r < joint.getNumRows(); ++r)
+		{
+			unit.m_dof[r] = static_cast<signed char>(joint.getRowDof(r));
+			set(m_system.getLaw(unit.m_firstLaw + r), r);
+		}
+		return;
+	}
+	for (int r = 0; r < joint.getNumRows(); ++r)
+	{
+		btElasticPlasticSystem::Row& row = m_system.addRow();
+		const int dof = joint.getRowDof(r);
+		for (int side = 0; side < 2; ++side)
+		{
+			const btVector3 axis = side == 0 ? k.m_axis[dof % 3] : -k.m_axis[dof % 3], zero(0, 0, 0), one(1, 1, 1);
+			const btRigidBody* const body = bodies[side];
+			copy(row.m_J + 6 * side, dof < 3 ? axis : zero, body ? body->getLinearFactor() : one);
+			copy(row.m_J + 6 * side + 3, dof < 3 ? (side == 0 ? k.m_rA : k.m_rB).cross(axis) : axis,
+				 body ? body->getAngularFactor() : one);
+			row.m_body[side] = m_index[direct.m_solverBody[side]];
+		}
+		set(m_system.getLaw(row.m_law), r);
+	}
+}
+
+void btElasticPlasticConstraintSolver::addContacts()
+{
+	// Soft by a hundredth of A: the augmented Lagrangian then gains two digits a loop, and the matrix stays well conditioned.
+	const double softness = 1e-2;
+	const int first = m_system.getNumRows();
+	for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i)
+	{
+		const btSolverConstraint& contact = m_tmpSolverContactConstraintPool[i];
+		btElasticPlasticSystem::Row& row = addRow(contact);
+		btElasticPlasticSystem::Law& law = m_system.getLaw(row.m_law);
+		row.m_isContact = true;
+		law.m_compliance = btMax(law.m_compliance, softness / double(contact.m_jacDiagABInv));
+		law.m_lower = 0;
+		law.m_upper = 1e30;
+		law.m_impulse = contact.m_appliedImpulse;
+	}
+	btConstraintArray* const pools[] = {&m_tmpSolverContactFrictionConstraintPool,
+										&m_tmpSolverContactRollingFrictionConstraintPool};
+	for (int p = 0; p < 2; ++p)
+		for (int i = 0; i < pools[p]->size(); ++i)
+		{
+			const btSolverConstraint& friction = (*pools[p])[i];
+			btElasticPlasticSystem::Row& row = addRow(friction);
+			btElasticPlasticSystem::Law& law = m_system.getLaw(row.m_law);
+			row.m_isContact = true;
+			law.m_compliance = btMax(law.m_compliance, softness / double(friction.m_jacDiagABInv));
+			law.m_impulse = friction.m_appliedImpulse;
+			row.m_friction = friction.m_friction;
+			row.m_normal = first + friction.m_frictionIndex;
+			// Bullet bounds rolling friction by its coefficient too.
+			row.m_frictionMax = p == 1 ? double(friction.m_friction) : 0;
+		}
+}
+
+bool btElasticPlasticConstraintSolver::solveDirectly(const btContactSolverInfo& info)
+{
+	m_system.clear();
+	{
+		const btElasticPlasticLap lap("elastic-plastic set-up", m_system.getStatistics().m_setUpTime);
+		addBodies();
+		for (int j = 0; j < m_directJoints.size(); ++j)
+			addJoint(m_directJoints[j], info);
+		m_firstRow = m_system.getNumRows();
+		for (int i = 0; i < m_tmpSolverNonContactConstraintPool.size(); ++i)
+			addRow(m_tmpSolverNonContactConstraintPool[i]);
+		addContacts();
+	}
+	// The island is known again by the first of its joints.
+	btElasticPlasticJoint& first = *m_directJoints[0].m_joint;
+	int ticket = first.getTicket();
+	const bool solved = m_system.solve(ticket);
+	first.setTicket(ticket);
+	return solved;
+}
+
+void btElasticPlasticConstraintSolver::fallBack(btTypedConstraint** constraints, int numConstraints,
+												const btContactSolverInfo& info)
+{
+	++m_system.getStatistics().m_fallbacks;
+	for (int j = 0; j < m_directJoints.size(); ++j)
+		m_directJoints[j].m_joint->revert();
+	m_directJoints.resize(0);
+	convertToRows(constraints, numConstraints, info);
+	m_orderNonContactConstraintPool.resizeNoInitialize(m_tmpSolverNonContactConstraintPool.size());
+	for (int i = 0; i < m_orderNonContactConstraintPool.size(); ++i)
+		m_orderNonContactConstraintPool[i] = i;
+}
+
+void btElasticPlasticConstraintSolver::takeResult()
+{
+	for (int i = 0; i < m_tmpSolverBodyPool.size(); ++i)
+	{
+		btSolverBody& body = m_tmpSolverBodyPool[i];
+		if (m_index[i] < 0)
+			continue;
+		const double* v = m_system.getVelocityChange(m_index[i]);
+		body.internalGetDeltaLinearVelocity().setValue(btScalar(v[0]), btScalar(v[1]), btScalar(v[2]));
+		body.internalGetDeltaAngularVelocity().setValue(btScalar(v[3]), btScalar(v[4]), btScalar(v[5]));
+		const btVector3 &linear = body.m_originalBody->getLinearFactor(),
+						&angular = body.m_originalBody->getAngularFactor();
+		for (int k = 0; k < 3; ++k)
+		{
+			if (linear[k] == 0)
+				body.internalGetDeltaLinearVelocity()[k] = 0;
+			if (angular[k] == 0)
+				body.internalGetDeltaAngularVelocity()[k] = 0;
+		}
+	}
+	btConstraintArray* const pools[] = {&m_tmpSolverNonContactConstraintPool, &m_tmpSolverContactConstraintPool,
+										&m_tmpSolverContactFrictionConstraintPool,
+										&m_tmpSolverContactRollingFrictionConstraintPool};
+	int row = m_firstRow;
+	for (btConstraintArray* pool : pools)
+		for (int i = 0; i < pool->size(); ++i)
+			(*pool)[i].m_appliedImpulse = btScalar(m_system.getLaw(m_system.getRow(row++).m_law).m_impulse);
+	for (int j = 0; j < m_directJoints.size(); ++j)
+	{
+		const DirectJoint& direct = m_directJoints[j];
+		for (int r = 0; r < direct.m_joint->getNumRows(); ++r)
+		{
+			const btElasticPlasticSystem::Law& law = m_system.getLaw(direct.m_firstLaw + r);
+			direct.m_joint->setRowImpulse(r, btScalar(law.m_impulse));
+			direct.m_joint->setRowBound(r, law.m_bound);
+		}
+	}
+}

@@ -1,0 +1,86 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_ISLANDS_H
+#define BT_ELASTIC_PLASTIC_ISLANDS_H
+
+#include <vector>
+
+class btCollisionObject;
+class btElasticPlasticJoint;
+class btPersistentManifold;
+class btTypedConstraint;
+
+/// What a solver is given at a time: several islands, as Bullet joins small ones to batches.
+struct btElasticPlasticGroup
+{
+	btCollisionObject** m_bodies;
+	int m_numBodies;
+	btPersistentManifold** m_manifolds;
+	int m_numManifolds;
+	btTypedConstraint** m_constraints;
+	int m_numConstraints;
+	btElasticPlasticJoint** m_joints;  ///< per constraint, null if it is not elastic-plastic
+};
+
+/// Takes a group apart: each island with elastic-plastic joints by itself, all others together.
+///
+/// Bullet's own sort by islands shuffles what is equal, so that an island's order depends on what other islands there are.
+/// Here an island with elastic-plastic joints is put in an order of its own, that of its bodies in the world: it then gives
+/// the same bits whatever is around it. The others stay in Bullet's order.
+class btElasticPlasticIslands
+{
+public:
+	/// What the group points to must stay; the arrays may go.
+	void split(const btElasticPlasticGroup& group);
+
+	int getNumIslands() const { return int(m_numbers.size()); }  ///< with elastic-plastic joints
+	btElasticPlasticGroup getIsland(int i) { return get(i); }
+	btElasticPlasticGroup getOthers() { return get(getNumIslands()); }
+
+private:
+	/// Where an item goes.
+	struct Key
+	{
+		int m_island;  ///< our number, the others last
+		int m_order[3];
+		int m_source;
+	};
+
+	/// Items of one kind, by island.
+	template <class T>
+	struct Sorted
+	{
+		std::vector<Key> m_keys;
+		std::vector<T*> m_items;
+		std::vector<int> m_start;  // per island
+
+		T** begin(int island) { return m_items.data() + m_start[island]; }
+		int getSize(int island) const { return m_start[island + 1] - m_start[island]; }
+		void sort(T** items, int numIslands);
+	};
+
+	void findIslands(const btElasticPlasticGroup& group);
+	int numberOf(int island) const;
+	btElasticPlasticGroup get(int island);
+
+	std::vector<int> m_numbers;  // Bullet's, of the islands
+	Sorted<btCollisionObject> m_bodies;
+	Sorted<btPersistentManifold> m_manifolds;
+	Sorted<btTypedConstraint> m_constraints;
+	std::vector<btElasticPlasticJoint*> m_joints;  // per constraint as sorted
+};
+
+#endif  // BT_ELASTIC_PLASTIC_ISLANDS_H

@@ -1,0 +1,42 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_STATISTICS_H
+#define BT_ELASTIC_PLASTIC_STATISTICS_H
+
+/// What solving directly took, summed over calls: reset before a step to read what that step took.
+struct btElasticPlasticStatistics
+{
+	long long m_islands = 0;
+	long long m_rows = 0;  ///< those of contacts and of other constraints included
+	long long m_newtonSteps = 0;
+	long long m_analyses = 0;  ///< of islands whose graph was new
+	long long m_factorisations = 0;
+	long long m_partialFactorisations = 0;  ///< those of them that computed only what had changed
+	long long m_solutions = 0;              ///< with a factor
+	long long m_iterations = 0;             ///< of conjugate gradients with the factor of an earlier step
+	long long m_contactLoops = 0;
+	long long m_fallbacks = 0;  ///< no convergence, or not a number: the iterative form has solved the island
+
+	// Where the time went [s].
+	double m_setUpTime = 0;     ///< joints' rows
+	double m_analysisTime = 0;  ///< the graph, known or new
+	double m_assemblyTime = 0;  ///< the matrix
+	double m_factorisationTime = 0;
+	double m_solutionTime = 0;  ///< with a factor, conjugate gradients included
+	double m_searchTime = 0;    ///< impulses, bounds, line search, contact loops
+};
+
+#endif  // BT_ELASTIC_PLASTIC_STATISTICS_H
