@@ -24,13 +24,13 @@ template <class Base>
 class btElasticPlasticConstraint : public Base, public btElasticPlasticJoint
 {
 public:
-	/// Joints are mostly made one after another, and Bullet looks at one line of each again and again to find islands. An odd
-	/// number of cache lines from one to the next spreads these over all sets of a cache; a multiple of four would leave
-	/// three quarters of it unused (a third of the step of 500 chains of 20).
+	/// Bullet looks at the first cache line of all joints again and again to find islands, and joints are mostly made one after
+	/// another. Beginning on a line, and an odd number of lines apart, they spread over all sets of a cache; a multiple of four
+	/// would leave three quarters of it unused (a third of the step of 500 chains of 20).
 	static void* operator new(size_t size)
 	{
-		const size_t line = 64, bookkeeping = 32;  // of btAlignedAlloc and malloc
-		return btAlignedAlloc(((size + bookkeeping + line - 1) / line | 1) * line - bookkeeping, 16);
+		const size_t line = 64, bookkeeping = 80;  // of btAlignedAlloc and malloc
+		return btAlignedAlloc(((size + bookkeeping + line - 1) / line | 1) * line - bookkeeping, line);
 	}
 	static void operator delete(void* memory) { btAlignedFree(memory); }
 	static void* operator new(size_t, void* place) { return place; }

@@ -44,12 +44,13 @@ btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies
 														g.m_constraints, g.m_numConstraints, info, debugDrawer,
 														dispatcher);
 	};
-	if (!hasJoints)
+	if (hasJoints)
+		group.m_joints = &m_joints[0];
+	if (!hasJoints || m_form == BT_EP_ITERATIVE)
 	{
 		solve(group);
 		return 0;
 	}
-	group.m_joints = &m_joints[0];
 	m_islands.split(group);
 	for (int i = 0; i < m_islands.getNumIslands(); ++i)
 		solve(m_islands.getIsland(i));
@@ -138,7 +139,7 @@ btScalar btElasticPlasticConstraintSolver::solveGroupCacheFriendlyIterations(
 {
 	if (m_directJoints.size() > 0)
 	{
-		if (solveDirectly(info))
+		if (solveDirectly())
 		{
 			solveGroupCacheFriendlySplitImpulseIterations(bodies, numBodies, manifolds, numManifolds, constraints,
 														  numConstraints, info, debugDrawer);
@@ -159,7 +160,6 @@ btScalar btElasticPlasticConstraintSolver::solveGroupCacheFriendlyFinish(btColli
 			m_jointRows[j].m_joint->setRowImpulse(
 				r, m_tmpSolverNonContactConstraintPool[m_jointRows[j].m_firstRow + r].m_appliedImpulse);
 	btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);
-	for (int j = 0; j < m_directJoints.size(); ++j)
-		m_directJoints[j].m_joint->reportImpulses();
+	giveJointsTheirImpulses();
 	return 0;
 }

@@ -82,18 +82,18 @@ private:
 	struct DirectJoint
 	{
 		btElasticPlasticJoint* m_joint;
-		int m_solverBody[2];
 		int m_firstLaw;  ///< of the system
 	};
 
 	void convertToUnits(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
-	bool solveDirectly(const btContactSolverInfo& info);
+	bool solveDirectly();
 	void fallBack(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
 	void addBodies();
-	void addJoint(DirectJoint & direct, const btContactSolverInfo& info);
+	void addJoint(btElasticPlasticJoint & joint, const btContactSolverInfo& info);
 	btElasticPlasticSystem::Row& addRow(const btSolverConstraint& row);
 	void addContacts();
 	void takeResult();
+	void giveJointsTheirImpulses();
 
 	btElasticPlasticForm m_form = BT_EP_DIRECT;
 	btElasticPlasticIslands m_islands;
@@ -101,8 +101,9 @@ private:
 	btElasticPlasticJoint** m_islandJoints = nullptr;       ///< the same of the island at work, null if it has none
 	btAlignedObjectArray<JointRows> m_jointRows;
 	btAlignedObjectArray<DirectJoint> m_directJoints;
-	int m_firstRow = 0;                 ///< in the system, of those in Bullet's pools
-	btAlignedObjectArray<int> m_index;  ///< of a solver body in the system, -1: does not move
+	btAlignedObjectArray<btTypedConstraint*> m_others;  ///< the island's constraints that have rows in Bullet's pool
+	int m_firstRow = 0;                                 ///< in the system, of those in Bullet's pools
+	btAlignedObjectArray<int> m_index;                  ///< of a solver body in the system, -1: does not move
 	btElasticPlasticSystem m_system;
 };
 

@@ -20,27 +20,6 @@ subject to the following restrictions:
 
 #include "btElasticPlasticLap.h"
 
-void btElasticPlasticConstraintSolver::convertToUnits(btTypedConstraint** constraints, int numConstraints,
-													  const btContactSolverInfo& info)
-{
-	for (int i = 0; i < numConstraints; ++i)
-		// A disabled one will not be asked for rows.
-		if (m_islandJoints[i] && constraints[i]->isEnabled())
-			m_islandJoints[i]->request(btElasticPlasticJoint::NO_ROWS);
-	btSequentialImpulseConstraintSolver::convertJoints(constraints, numConstraints, info);
-	for (int i = 0; i < numConstraints; ++i)
-	{
-		btElasticPlasticJoint* const joint = m_islandJoints[i];
-		if (!joint || !constraints[i]->isEnabled() || joint->getNumRows() == 0)
-			continue;
-		DirectJoint direct;
-		direct.m_joint = joint;
-		direct.m_solverBody[0] = getOrInitSolverBody(constraints[i]->getRigidBodyA(), info.m_timeStep);
-		direct.m_solverBody[1] = getOrInitSolverBody(constraints[i]->getRigidBodyB(), info.m_timeStep);
-		m_directJoints.push_back(direct);
-	}
-}
-
 namespace
 {
 /// Compliance of hard rows, of A: it shows in the twelfth digit.
@@ -86,17 +65,16 @@ bool isFree(const btRigidBody& body)
 
 }  // namespace
 
+/// Those that Bullet has taken in since the last call, which may be static ones only.
 void btElasticPlasticConstraintSolver::addBodies()
 {
-	m_index.resizeNoInitialize(m_tmpSolverBodyPool.size());
-	for (int i = 0; i < m_tmpSolverBodyPool.size(); ++i)
+	for (int i = m_index.size(); i < m_tmpSolverBodyPool.size(); ++i)
 	{
 		const btRigidBody* body = m_tmpSolverBodyPool[i].m_originalBody;
-		m_index[i] = -1;
-		if (!body || body->getInvMass() == 0)
-			continue;
-		m_index[i] = m_system.getNumBodies();
-		setMass(*body, m_system.addBody());
+		const bool moves = body && body->getInvMass() > 0;
+		m_index.push_back(moves ? m_system.getNumBodies() : -1);
+		if (moves)
+			setMass(*body, m_system.addBody());
 	}
 }
 
@@ -122,15 +100,19 @@ btElasticPlasticSystem::Row& btElasticPlasticConstraintSolver::addRow(const btSo
 	return row;
 }
 
-void btElasticPlasticConstraintSolver::addJoint(DirectJoint& direct, const btContactSolverInfo& info)
+void btElasticPlasticConstraintSolver::addJoint(btElasticPlasticJoint& joint, const btContactSolverInfo& info)
 {
-	btElasticPlasticJoint& joint = *direct.m_joint;
-	joint.startStep(info.m_timeStep);
+	if (joint.getNumRows() == 0 || !joint.startStep(info.m_timeStep))
+		return;
+	const DirectJoint direct = {&joint, m_system.getNumLaws()};
+	m_directJoints.push_back(direct);
+	const int ids[2] = {getOrInitSolverBody(joint.getConstraint().getRigidBodyA(), info.m_timeStep),
+						getOrInitSolverBody(joint.getConstraint().getRigidBodyB(), info.m_timeStep)};
+	addBodies();
 	const btElasticPlasticKinematics& k = joint.getKinematics();
 	btScalar diagonals[BT_EP_DOF_COUNT];
 	joint.getDiagonals(diagonals);
-	const btSolverBody &A = m_tmpSolverBodyPool[direct.m_solverBody[0]],
-					   &B = m_tmpSolverBodyPool[direct.m_solverBody[1]];
+	const btSolverBody &A = m_tmpSolverBodyPool[ids[0]], &B = m_tmpSolverBodyPool[ids[1]];
 	const btVector3 wA = A.m_angularVelocity + A.m_externalTorqueImpulse,
 					wB = B.m_angularVelocity + B.m_externalTorqueImpulse;
 	const btVector3 velocity[2] = {A.m_linearVelocity + A.m_externalForceImpulse + wA.cross(k.m_rA) -
@@ -148,7 +130,6 @@ void btElasticPlasticConstraintSolver::addJoint(DirectJoint& direct, const btCon
 		law.m_bound = static_cast<signed char>(joint.getRowBound(r));
 	};
 	const btRigidBody* const bodies[2] = {A.m_originalBody, B.m_originalBody};
-	direct.m_firstLaw = m_system.getNumLaws();
 	const bool isUnit = (!bodies[0] || isFree(*bodies[0])) && (!bodies[1] || isFree(*bodies[1]));
 	if (isUnit)
 	{
@@ -161,7 +142,7 @@ void btElasticPlasticConstraintSolver::addJoint(DirectJoint& direct, const btCon
 			unit.m_arm[1][i] = k.m_rB[i];
 		}
 		for (int side = 0; side < 2; ++side)
-			unit.m_body[side] = m_index[direct.m_solverBody[side]];
+			unit.m_body[side] = m_index[ids[side]];
 		for (int r = 0; r < joint.getNumRows(); ++r)
 		{
 			unit.m_dof[r] = static_cast<signed char>(joint.getRowDof(r));
@@ -180,10 +161,39 @@ void btElasticPlasticConstraintSolver::addJoint(DirectJoint& direct, const btCon
 			copy(row.m_J + 6 * side, dof < 3 ? axis : zero, body ? body->getLinearFactor() : one);
 			copy(row.m_J + 6 * side + 3, dof < 3 ? (side == 0 ? k.m_rA : k.m_rB).cross(axis) : axis,
 				 body ? body->getAngularFactor() : one);
-			row.m_body[side] = m_index[direct.m_solverBody[side]];
+			row.m_body[side] = m_index[ids[side]];
 		}
 		set(m_system.getLaw(row.m_law), r);
 	}
+}
+
+void btElasticPlasticConstraintSolver::convertToUnits(btTypedConstraint** constraints, int numConstraints,
+													  const btContactSolverInfo& info)
+{
+	m_system.clear();
+	m_index.resize(0);
+	addBodies();
+	m_others.resize(0);
+	{
+		const btElasticPlasticLap lap("elastic-plastic set-up", m_system.getStatistics().m_setUpTime);
+		const bool isLarge = numConstraints > 400;
+		for (int i = 0; i < numConstraints; ++i)
+		{
+			if (isLarge && i + 4 < numConstraints && m_islandJoints[i + 4])
+				m_islandJoints[i + 4]->prefetch();
+			btElasticPlasticJoint* const joint = constraints[i]->isEnabled() ? m_islandJoints[i] : nullptr;
+			if (joint && joint->prepareAlone())
+				addJoint(*joint, info);
+			else
+				m_others.push_back(constraints[i]);
+		}
+	}
+	btSequentialImpulseConstraintSolver::convertJoints(m_others.size() > 0 ? &m_others[0] : nullptr, m_others.size(),
+													   info);
+	for (int i = 0; i < m_others.size(); ++i)
+		if (btElasticPlasticJoint* const joint =
+				m_others[i]->isEnabled() ? btElasticPlasticJoint::from(m_others[i]) : nullptr)
+			addJoint(*joint, info);
 }
 
 void btElasticPlasticConstraintSolver::addContacts()
@@ -220,19 +230,13 @@ void btElasticPlasticConstraintSolver::addContacts()
 		}
 }
 
-bool btElasticPlasticConstraintSolver::solveDirectly(const btContactSolverInfo& info)
+bool btElasticPlasticConstraintSolver::solveDirectly()
 {
-	m_system.clear();
-	{
-		const btElasticPlasticLap lap("elastic-plastic set-up", m_system.getStatistics().m_setUpTime);
-		addBodies();
-		for (int j = 0; j < m_directJoints.size(); ++j)
-			addJoint(m_directJoints[j], info);
-		m_firstRow = m_system.getNumRows();
-		for (int i = 0; i < m_tmpSolverNonContactConstraintPool.size(); ++i)
-			addRow(m_tmpSolverNonContactConstraintPool[i]);
-		addContacts();
-	}
+	addBodies();
+	m_firstRow = m_system.getNumRows();
+	for (int i = 0; i < m_tmpSolverNonContactConstraintPool.size(); ++i)
+		addRow(m_tmpSolverNonContactConstraintPool[i]);
+	addContacts();
 	// The island is known again by the first of its joints.
 	btElasticPlasticJoint& first = *m_directJoints[0].m_joint;
 	int ticket = first.getTicket();
@@ -281,14 +285,19 @@ void btElasticPlasticConstraintSolver::takeResult()
 	for (btConstraintArray* pool : pools)
 		for (int i = 0; i < pool->size(); ++i)
 			(*pool)[i].m_appliedImpulse = btScalar(m_system.getLaw(m_system.getRow(row++).m_law).m_impulse);
+}
+
+void btElasticPlasticConstraintSolver::giveJointsTheirImpulses()
+{
 	for (int j = 0; j < m_directJoints.size(); ++j)
 	{
-		const DirectJoint& direct = m_directJoints[j];
-		for (int r = 0; r < direct.m_joint->getNumRows(); ++r)
+		btElasticPlasticJoint& joint = *m_directJoints[j].m_joint;
+		for (int r = 0; r < joint.getNumRows(); ++r)
 		{
-			const btElasticPlasticSystem::Law& law = m_system.getLaw(direct.m_firstLaw + r);
-			direct.m_joint->setRowImpulse(r, btScalar(law.m_impulse));
-			direct.m_joint->setRowBound(r, law.m_bound);
+			const btElasticPlasticSystem::Law& law = m_system.getLaw(m_directJoints[j].m_firstLaw + r);
+			joint.setRowImpulse(r, btScalar(law.m_impulse));
+			joint.setRowBound(r, law.m_bound);
 		}
+		joint.reportImpulses();
 	}
 }

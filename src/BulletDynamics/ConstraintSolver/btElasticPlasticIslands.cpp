@@ -56,42 +56,43 @@ template <class T>
 void btElasticPlasticIslands::Sorted<T>::sort(T** items, int numIslands)
 {
 	m_start.assign(numIslands + 2, 0);
-	for (size_t i = 0; i < m_keys.size(); ++i)
-	{
-		m_keys[i].m_source = int(i);
-		++m_start[m_keys[i].m_island + 1];
-	}
+	for (const Key& key : m_keys)
+		++m_start[key.m_island + 1];
 	for (int i = 0; i <= numIslands; ++i)
 		m_start[i + 1] += m_start[i];
-	std::sort(m_keys.begin(), m_keys.end(),
-			  [numIslands](const Key& a, const Key& b)
-			  {
-				  if (a.m_island != b.m_island)
-					  return a.m_island < b.m_island;
-				  for (int i = 0; i < 3 && a.m_island < numIslands; ++i)
-					  if (a.m_order[i] != b.m_order[i])
-						  return a.m_order[i] < b.m_order[i];
-				  return a.m_source < b.m_source;
-			  });
-	m_items.resize(m_keys.size());
-	for (size_t i = 0; i < m_keys.size(); ++i)
-		m_items[i] = items[m_keys[i].m_source];
+	m_next.assign(m_start.begin(), m_start.end());
+	m_sorted.resize(m_keys.size());
+	for (const Key& key : m_keys)
+		m_sorted[m_next[key.m_island]++] = key;
+	for (int i = 0; i < numIslands; ++i)
+		std::sort(m_sorted.begin() + m_start[i], m_sorted.begin() + m_start[i + 1],
+				  [](const Key& a, const Key& b)
+				  {
+					  if (a.m_bodies != b.m_bodies)
+						  return a.m_bodies < b.m_bodies;
+					  return a.m_order != b.m_order ? a.m_order < b.m_order : a.m_source < b.m_source;
+				  });
+	m_items.resize(m_sorted.size());
+	for (size_t i = 0; i < m_sorted.size(); ++i)
+		m_items[i] = items[m_sorted[i].m_source];
 }
 
 void btElasticPlasticIslands::split(const btElasticPlasticGroup& group)
 {
 	findIslands(group);
-	const auto key = [this](const btCollisionObject& a, const btCollisionObject& b, int order) {
-		return Key{numberOf(islandOf(a, b)), {a.getWorldArrayIndex(), b.getWorldArrayIndex(), order}, 0};
+	const auto key = [this](const btCollisionObject& a, const btCollisionObject& b, int order, int source)
+	{
+		const uint64_t bodies = uint64_t(uint32_t(a.getWorldArrayIndex())) << 32 | uint32_t(b.getWorldArrayIndex());
+		return Key{bodies, order, source, numberOf(islandOf(a, b))};
 	};
 	m_bodies.m_keys.clear();
 	for (int i = 0; i < group.m_numBodies; ++i)
-		m_bodies.m_keys.push_back(key(*group.m_bodies[i], *group.m_bodies[i], 0));
+		m_bodies.m_keys.push_back(key(*group.m_bodies[i], *group.m_bodies[i], 0, i));
 	m_bodies.sort(group.m_bodies, getNumIslands());
 
 	m_manifolds.m_keys.clear();
 	for (int i = 0; i < group.m_numManifolds; ++i)
-		m_manifolds.m_keys.push_back(key(*group.m_manifolds[i]->getBody0(), *group.m_manifolds[i]->getBody1(), 0));
+		m_manifolds.m_keys.push_back(key(*group.m_manifolds[i]->getBody0(), *group.m_manifolds[i]->getBody1(), 0, i));
 	m_manifolds.sort(group.m_manifolds, getNumIslands());
 
 	m_constraints.m_keys.clear();
@@ -99,11 +100,11 @@ void btElasticPlasticIslands::split(const btElasticPlasticGroup& group)
 	{
 		const btTypedConstraint& constraint = *group.m_constraints[i];
 		m_constraints.m_keys.push_back(key(constraint.getRigidBodyA(), constraint.getRigidBodyB(),
-										   group.m_joints[i] ? group.m_joints[i]->getEntry() : -1));
+										   group.m_joints[i] ? group.m_joints[i]->getEntry() : -1, i));
 	}
 	m_constraints.sort(group.m_constraints, getNumIslands());
 	m_joints.clear();
-	for (const Key& constraint : m_constraints.m_keys)
+	for (const Key& constraint : m_constraints.m_sorted)
 		m_joints.push_back(group.m_joints[constraint.m_source]);
 }
 

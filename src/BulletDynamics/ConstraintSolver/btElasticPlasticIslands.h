@@ -16,6 +16,7 @@ subject to the following restrictions:
 #ifndef BT_ELASTIC_PLASTIC_ISLANDS_H
 #define BT_ELASTIC_PLASTIC_ISLANDS_H
 
+#include <stdint.h>
 #include <vector>
 
 class btCollisionObject;
@@ -54,18 +55,19 @@ private:
 	/// Where an item goes.
 	struct Key
 	{
-		int m_island;  ///< our number, the others last
-		int m_order[3];
+		uint64_t m_bodies;  ///< one body's place in the world, then the other's
+		int m_order;        ///< among those of the same bodies
 		int m_source;
+		int m_island;  ///< our number, the others last
 	};
 
 	/// Items of one kind, by island.
 	template <class T>
 	struct Sorted
 	{
-		std::vector<Key> m_keys;
+		std::vector<Key> m_keys, m_sorted;
 		std::vector<T*> m_items;
-		std::vector<int> m_start;  // per island
+		std::vector<int> m_start, m_next;  // per island
 
 		T** begin(int island) { return m_items.data() + m_start[island]; }
 		int getSize(int island) const { return m_start[island + 1] - m_start[island]; }

@@ -145,7 +145,8 @@ btVector3 btElasticPlasticJoint::getPosition() const { return (getFrameA().getOr
 void btElasticPlasticJoint::setReferenceToCurrentPose()
 {
 	btElasticPlasticKinematics now;
-	const btElasticPlasticTurn turn = measure(now);
+	measure(now);
+	const btElasticPlasticTurn turn = this->turn();
 	for (int i = 0; i < 3; ++i)
 		m_state.m_initial[i] += now.m_strain[i];
 	m_state.m_plasticRotation = turn.m_relative;

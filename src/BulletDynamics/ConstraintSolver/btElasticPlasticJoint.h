@@ -140,8 +140,12 @@ public:
 
 	// ---- for solvers and the action
 
-	/// Evaluates the joint at the bodies' present transforms. \return number of rows that Bullet is to hold
+	/// Begins a step. \return number of rows that Bullet is to hold
 	int prepare();
+
+	/// For a solver that takes NO_ROWS: prepare() without the way through Bullet, which would ask three times more of a constraint.
+	/// \return false if Bullet's class has rows too, or the overlap of broken joints to hold: then Bullet has to prepare it
+	bool prepareAlone();
 
 	/// Writes the rows that prepare() counted, beginning at firstRow.
 	void writeRows(btTypedConstraint::btConstraintInfo2 * info, int firstRow);
@@ -155,18 +159,16 @@ public:
 	};
 	void request(Request request);
 
-	/// Takes note of the velocities at the start of a step of dt [s].
-	void startStep(btScalar dt);
+	/// Evaluates the joint at the bodies' present transforms and velocities, for a step of dt [s].
+	/// \return false, and the joint has no part in the step, if they are no numbers
+	bool startStep(btScalar dt);
 
 	/// A = J M^-1 J^T of all rows.
 	void getDiagonals(btScalar diagonals[BT_EP_DOF_COUNT]) const;
 
 	/// The r-th row of the default scheme (or the joint's other one) for a solver that adds compliance to the diagonal.
 	/// \param diagonal  A = J M^-1 J^T of the row
-	btElasticPlasticRow implicitRow(int r, btScalar diagonal, btScalar erp)
-	{
-		return startRow(m_step.m_row[r], diagonal, erp);
-	}
+	btElasticPlasticRow implicitRow(int r, btScalar diagonal, btScalar erp);
 
 	/// Elastic-plastic rows in the step under way; they are the last of the constraint's rows.
 	int getNumRows() const { return m_step.m_rows; }
@@ -204,7 +206,7 @@ public:
 	{
 #if defined(__GNUC__)
 		for (const char* line = reinterpret_cast<const char*>(&m_step);
-			 line < reinterpret_cast<const char*>(&m_capacity); line += 64)
+			 line < reinterpret_cast<const char*>(&m_hasReference); line += 64)
 			__builtin_prefetch(line);
 #endif
 	}
@@ -269,11 +271,11 @@ private:
 	/// The step under way, from prepare() to commit().
 	struct Step
 	{
-		btElasticPlasticKinematics m_kinematics;
-		Row m_row[BT_EP_DOF_COUNT];
 		int m_rows = 0;
 		btScalar m_dt = 0;
 		Request m_request = WHOLE_ROWS;
+		btElasticPlasticKinematics m_kinematics;
+		Row m_row[BT_EP_DOF_COUNT];
 	};
 
 	btElasticPlasticFault findFault() const;
@@ -282,12 +284,12 @@ private:
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
 	void refuseWithoutBooks();
-	btScalar diagonal(int dof, const btMatrix3x3& inverseInertias) const;
 	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
 	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
-	btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp) const;
-	btElasticPlasticRow startRow(Row & row, btScalar diagonal, btScalar erp);
-	btElasticPlasticTurn measure(btElasticPlasticKinematics & k) const;
+	inline btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp) const;
+	inline btElasticPlasticRow startRow(Row & row, btScalar diagonal, btScalar erp);
+	void measure(btElasticPlasticKinematics & k) const;
+	btElasticPlasticTurn turn() const;
 	btScalar paperInverseMass(int dof) const;
 	void takeBackKinematicMotion(btScalar dt);
 	void readFeedback();
@@ -298,21 +300,21 @@ private:
 	btTypedConstraint& m_constraint;
 	const btTransform& m_frameInA;
 	const btTransform& m_frameInB;
+	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
+	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
+	Request m_request = WHOLE_ROWS;              ///< for the next step
+	int m_uncommitted = 0;                       ///< substeps in a row that nobody committed
+	btElasticPlasticAction* m_action = nullptr;  ///< that knows this joint
+	int m_entry = 0;                             ///< in its books
+	int m_ticket = 0;
+	btDynamicsWorld* m_partingWorld = nullptr;  ///< set while the joint is broken and its bodies have not parted
+	btElasticPlasticFault m_fault;
 	Step m_step;
 	btElasticPlasticState m_state;
 	btElasticPlasticCapacity m_capacity;
-	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
 	signed char m_bound[BT_EP_DOF_COUNT] = {};
-	btElasticPlasticScheme m_scheme = BT_EP_SCHEME_IMPLICIT;
-	Request m_request = WHOLE_ROWS;  ///< for the next step
-	int m_ticket = 0;
-	bool m_hasReference = false;                ///< has had a valid capacity
-	btScalar m_overlap = 0;                     ///< of the bodies, while they part
-	btDynamicsWorld* m_partingWorld = nullptr;  ///< set while the joint is broken and its bodies have not parted
-	btElasticPlasticFault m_fault;
-	btElasticPlasticAction* m_action = nullptr;  ///< that knows this joint
-	int m_entry = 0;                             ///< in its books
-	int m_uncommitted = 0;                       ///< substeps in a row that nobody committed
+	bool m_hasReference = false;  ///< has had a valid capacity
+	btScalar m_overlap = 0;       ///< of the bodies, while they part
 	btJointFeedback m_feedback;
 	btAlignedObjectArray<btVector3>
 		m_dual;  ///< two vectors a row: impulse = force . first + torque . second; empty: the axes do

@@ -35,11 +35,17 @@ void btElasticPlasticJoint::refuseWithoutBooks()
 }
 
 /// At the bodies' present transforms.
-btElasticPlasticTurn btElasticPlasticJoint::measure(btElasticPlasticKinematics& k) const
+void btElasticPlasticJoint::measure(btElasticPlasticKinematics& k) const
 {
-	return k.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
-					  m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-					  m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	k.evaluate(m_constraint.getRigidBodyA().getCenterOfMassTransform(),
+			   m_constraint.getRigidBodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
+			   m_state.m_plasticRotation, m_state.m_plasticMiddle);
+}
+
+btElasticPlasticTurn btElasticPlasticJoint::turn() const
+{
+	return btElasticPlasticTurn(getFrameA().getBasis(), getFrameB().getBasis(), m_state.m_plasticRotation,
+								m_state.m_plasticMiddle);
 }
 
 int btElasticPlasticJoint::prepare()
@@ -53,38 +59,65 @@ int btElasticPlasticJoint::prepare()
 	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
 	if (m_fault || m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
 		return 0;
-	btElasticPlasticKinematics& k = m_step.m_kinematics;
-	measure(k);
-	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it.
+	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it. Here its motion, which
+	// Bullet multiplies with any row; where it stands is looked at with the strain.
 	const btVector3 motion = A.getLinearVelocity() + A.getAngularVelocity() + A.getTotalForce() + A.getTotalTorque() +
 							 B.getLinearVelocity() + B.getAngularVelocity() + B.getTotalForce() + B.getTotalTorque();
-	btScalar sum = motion.x() + motion.y() + motion.z();
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		sum += k.m_strain[i];
-	if (!btElasticPlasticIsFinite(sum))
+	if (!btElasticPlasticIsFinite(motion.x() + motion.y() + motion.z()))
 		return 0;
 	// Angular rows first, as in Bullet's own classes.
-	for (int n = 0; n < BT_EP_DOF_COUNT; ++n)
-	{
-		const int dof = (n + 3) % BT_EP_DOF_COUNT;
+	int rows = 0;
+	for (int dof = 3; dof < BT_EP_DOF_COUNT; ++dof)
 		if (m_dofs >> dof & 1u)
-			m_step.m_row[m_step.m_rows++].m_dof = dof;
-	}
+			m_step.m_row[rows++].m_dof = dof;
+	for (int dof = 0; dof < 3; ++dof)
+		if (m_dofs >> dof & 1u)
+			m_step.m_row[rows++].m_dof = dof;
+	m_step.m_rows = rows;
 	return m_step.m_request == NO_ROWS ? 0 : m_step.m_rows;
 }
 
-/// A = J M^-1 J^T of one row.
-btScalar btElasticPlasticJoint::diagonal(int dof, const btMatrix3x3& inverseInertias) const
+bool btElasticPlasticJoint::prepareAlone()
 {
-	const btElasticPlasticKinematics& k = m_step.m_kinematics;
-	const btVector3& axis = k.m_axis[dof % 3];
-	if (dof >= 3)
-		return axis.dot(inverseInertias * axis);
-	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
-	const btVector3 armA = k.m_rA.cross(axis), armB = k.m_rB.cross(axis);
-	return A.getInvMass() + B.getInvMass() + armA.dot(A.getInvInertiaTensorWorld() * armA) +
-		   armB.dot(B.getInvInertiaTensorWorld() * armB);
+	request(NO_ROWS);
+	if (m_partingWorld || (hasBaseDof() && isBaseActive()))
+		return false;
+	m_constraint.internalSetAppliedImpulse(0);
+	if (btJointFeedback* feedback = m_constraint.getJointFeedback())
+	{
+		const btVector3 zero(0, 0, 0);
+		feedback->m_appliedForceBodyA = feedback->m_appliedTorqueBodyA = zero;
+		feedback->m_appliedForceBodyB = feedback->m_appliedTorqueBodyB = zero;
+	}
+	prepare();
+	return true;
 }
+
+namespace
+{
+/// A = J M^-1 J^T of a joint's rows.
+class Diagonal
+{
+public:
+	Diagonal(const btRigidBody& a, const btRigidBody& b)
+		: m_a(a.getInvInertiaTensorWorld()),
+		  m_b(b.getInvInertiaTensorWorld()),
+		  m_both(m_a + m_b),
+		  m_inverseMass(a.getInvMass() + b.getInvMass())
+	{
+	}
+	btScalar along(const btVector3& momentA, const btVector3& momentB) const
+	{
+		return m_inverseMass + momentA.dot(m_a * momentA) + momentB.dot(m_b * momentB);
+	}
+	btScalar about(const btVector3& axis) const { return axis.dot(m_both * axis); }
+
+private:
+	const btMatrix3x3 &m_a, &m_b;
+	const btMatrix3x3 m_both;
+	const btScalar m_inverseMass;
+};
+}  // namespace
 
 /// J v of all six degrees of freedom, from the relative velocity of A to B at the common point and the relative angular velocity.
 void btElasticPlasticJoint::project(const btVector3& linear, const btVector3& angular,
@@ -107,7 +140,7 @@ btScalar btElasticPlasticJoint::paperInverseMass(int dof) const
 	return btMax((A.getInvInertiaTensorWorld() * axis).length(), (B.getInvInertiaTensorWorld() * axis).length());
 }
 
-btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, btScalar erp) const
+inline btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, btScalar erp) const
 {
 	const btScalar dt = m_step.m_dt;
 	const btElasticPlasticDofState s = {m_capacity.m_stiffness[dof],       m_capacity.m_yield[dof],
@@ -123,12 +156,17 @@ btElasticPlasticRow btElasticPlasticJoint::makeRow(int dof, btScalar diagonal, b
 										  : btElasticPlasticImplicitRow(s, diagonal, dt);
 }
 
-btElasticPlasticRow btElasticPlasticJoint::startRow(Row& row, btScalar diagonal, btScalar erp)
+inline btElasticPlasticRow btElasticPlasticJoint::startRow(Row& row, btScalar diagonal, btScalar erp)
 {
 	const btElasticPlasticRow made = makeRow(row.m_dof, diagonal, erp);
 	row.m_lower = made.m_lower;
 	row.m_upper = made.m_upper;
 	return made;
+}
+
+btElasticPlasticRow btElasticPlasticJoint::implicitRow(int r, btScalar diagonal, btScalar erp)
+{
+	return startRow(m_step.m_row[r], diagonal, erp);
 }
 
 static void copy(btScalar* to, const btVector3& from)
@@ -161,28 +199,42 @@ void btElasticPlasticJoint::takeBackKinematicMotion(btScalar dt)
 		k.m_strain[i] += dt * moved[i];
 }
 
-void btElasticPlasticJoint::startStep(btScalar dt)
+bool btElasticPlasticJoint::startStep(btScalar dt)
 {
+	measure(m_step.m_kinematics);
+	btScalar sum = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		sum += m_step.m_kinematics.m_strain[i];
+	if (!btElasticPlasticIsFinite(sum))
+	{
+		revert();
+		return false;
+	}
 	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
 	const btElasticPlasticKinematics& k = m_step.m_kinematics;
 	const btVector3 linear = A.getVelocityInLocalPoint(k.m_rA) - B.getVelocityInLocalPoint(k.m_rB);
 	btScalar velocity[BT_EP_DOF_COUNT];
 	project(linear, A.getAngularVelocity() - B.getAngularVelocity(), velocity);
-	for (int r = 0; r < m_step.m_rows; ++r)
+	for (int r = 0, rows = m_step.m_rows; r < rows; ++r)
 	{
 		m_step.m_row[r].m_velocity0 = velocity[m_step.m_row[r].m_dof];
 		m_step.m_row[r].m_impulse = 0;
 	}
 	m_step.m_dt = dt;
 	takeBackKinematicMotion(dt);
+	return true;
 }
 
 void btElasticPlasticJoint::getDiagonals(btScalar diagonals[BT_EP_DOF_COUNT]) const
 {
-	const btMatrix3x3 inverseInertias = m_constraint.getRigidBodyA().getInvInertiaTensorWorld() +
-										m_constraint.getRigidBodyB().getInvInertiaTensorWorld();
+	const btElasticPlasticKinematics& k = m_step.m_kinematics;
+	const Diagonal diagonal(m_constraint.getRigidBodyA(), m_constraint.getRigidBodyB());
 	for (int r = 0; r < m_step.m_rows; ++r)
-		diagonals[r] = diagonal(m_step.m_row[r].m_dof, inverseInertias);
+	{
+		const int dof = m_step.m_row[r].m_dof;
+		const btVector3& axis = k.m_axis[dof % 3];
+		diagonals[r] = dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
+	}
 }
 
 void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
@@ -190,37 +242,50 @@ void btElasticPlasticJoint::writeRows(btTypedConstraint::btConstraintInfo2* info
 	if (m_step.m_request == NO_ROWS)
 		return;
 	const btElasticPlasticKinematics& k = m_step.m_kinematics;
-	startStep(1 / info->fps);
-	btScalar diagonals[BT_EP_DOF_COUNT];
-	if (m_step.m_request == WHOLE_ROWS)
-		getDiagonals(diagonals);
-	for (int r = 0; r < m_step.m_rows; ++r)
+	const Diagonal diagonal(m_constraint.getRigidBodyA(), m_constraint.getRigidBodyB());
+	// Copies of what the compiler would read again after every write.
+	const int rows = m_step.m_rows, skip = info->rowskip;
+	const bool isWhole = m_step.m_request == WHOLE_ROWS;
+	if (!startStep(1 / info->fps))
+	{
+		// Rows of zeros, as Bullet has left them.
+		for (int s = firstRow * skip, r = 0; r < rows; ++r, s += skip)
+			info->m_lowerLimit[s] = info->m_upperLimit[s] = 0;
+		return;
+	}
+	int s = firstRow * skip;
+	for (int r = 0; r < rows; ++r, s += skip)
 	{
 		Row& row = m_step.m_row[r];
-		const btVector3& axis = k.m_axis[row.m_dof % 3];
-		const int s = (firstRow + r) * info->rowskip;
+		const btVector3& axis = k.m_axis[row.m_dof < 3 ? row.m_dof : row.m_dof - 3];
+		btScalar a = 0;
 		if (row.m_dof < 3)
 		{
+			const btVector3 momentA = k.m_rA.cross(axis), momentB = axis.cross(k.m_rB);
 			copy(info->m_J1linearAxis + s, axis);
 			copy(info->m_J2linearAxis + s, -axis);
-			copy(info->m_J1angularAxis + s, k.m_rA.cross(axis));
-			copy(info->m_J2angularAxis + s, axis.cross(k.m_rB));
+			copy(info->m_J1angularAxis + s, momentA);
+			copy(info->m_J2angularAxis + s, momentB);
+			if (isWhole)
+				a = diagonal.along(momentA, momentB);
 		}
 		else
 		{
 			copy(info->m_J1angularAxis + s, axis);
 			copy(info->m_J2angularAxis + s, -axis);
+			if (isWhole)
+				a = diagonal.about(axis);
 		}
-		if (m_step.m_request == JACOBIANS)
+		if (!isWhole)
 			continue;
-		const btElasticPlasticRow made = startRow(row, diagonals[r], info->erp);
+		const btElasticPlasticRow made = startRow(row, a, info->erp);
 		info->m_constraintError[s] = made.m_velocity;
-		info->cfm[s] = made.m_compliance / diagonals[r];
+		info->cfm[s] = made.m_compliance / a;
 		info->m_lowerLimit[s] = made.m_lower;
 		info->m_upperLimit[s] = made.m_upper;
 	}
 	m_dual.resize(0);
-	if (firstRow > 0 && m_step.m_request == WHOLE_ROWS)
+	if (firstRow > 0 && isWhole)
 		separateBaseRows(*info, firstRow);
 }
 
@@ -376,8 +441,9 @@ int btElasticPlasticJoint::commit()
 
 	const btScalar rate = 1 / m_step.m_dt;
 	m_state.m_lastStep = m_step.m_dt;
+	double work = 0;
 	bool flowed = false;
-	for (int r = 0; r < m_step.m_rows; ++r)
+	for (int r = 0, rows = m_step.m_rows; r < rows; ++r)
 	{
 		const Row& row = m_step.m_row[r];
 		const int i = row.m_dof;
@@ -386,7 +452,7 @@ int btElasticPlasticJoint::commit()
 		m_state.m_force[i] = mapped.m_force;
 		m_state.m_applied[i] = row.m_impulse * rate;
 		// The work of an impulse on the bodies is exactly impulse times mean velocity.
-		m_state.m_work -= 0.5 * double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
+		work += double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
 		if (mapped.m_increment == 0)
 			continue;
 		increment[i] = mapped.m_increment;
@@ -395,6 +461,7 @@ int btElasticPlasticJoint::commit()
 		m_state.m_plasticEnergy += double(m_capacity.m_yield[i]) * btFabs(double(mapped.m_increment));
 		flowed = true;
 	}
+	m_state.m_work -= 0.5 * work;
 	revert();
 	if (!flowed)
 		return NOTHING;
@@ -410,7 +477,8 @@ int btElasticPlasticJoint::commit()
 void btElasticPlasticJoint::turnReference(const btScalar increment[6])
 {
 	btElasticPlasticKinematics now;
-	const btElasticPlasticTurn turn = measure(now);
+	measure(now);
+	const btElasticPlasticTurn turn = this->turn();
 	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
 							now.m_strain[5] - increment[5]);
 	m_state.m_plasticRotation =

@@ -29,21 +29,36 @@ btQuaternion halfOf(const btQuaternion& q)
 }
 
 /// Is it exactly no rotation? The scalar part alone does not tell: in float it is 1 up to half a milliradian.
-bool isNone(const btQuaternion& q) { return q.x() == 0 && q.y() == 0 && q.z() == 0; }
+bool isNone(const btQuaternion& q) { return btFabs(q.x()) + btFabs(q.y()) + btFabs(q.z()) == 0; }
 
-/// p_B - p_A. In double whatever Bullet's precision: it is a thousandth of what it is the difference of.
-btVector3 separation(const btTransform& bodyA, const btTransform& bodyB, const btVector3& pivotA,
-					 const btVector3& pivotB)
+/// R v in double whatever Bullet's precision: the separation of the frames is a thousandth of what it is the difference of.
+struct Arm
 {
-	btVector3 d(0, 0, 0);
-	for (int i = 0; i < 3; ++i)
+	double m_world[3];
+
+	Arm(const btMatrix3x3& basis, const btVector3& pivot)
 	{
-		const btVector3 &a = bodyA.getBasis()[i], &b = bodyB.getBasis()[i];
-		const double armA = double(a.x()) * pivotA.x() + double(a.y()) * pivotA.y() + double(a.z()) * pivotA.z();
-		const double armB = double(b.x()) * pivotB.x() + double(b.y()) * pivotB.y() + double(b.z()) * pivotB.z();
-		d[i] = btScalar(double(bodyB.getOrigin()[i]) - double(bodyA.getOrigin()[i]) + (armB - armA));
+		for (int i = 0; i < 3; ++i)
+			m_world[i] =
+				double(basis[i].x()) * pivot.x() + double(basis[i].y()) * pivot.y() + double(basis[i].z()) * pivot.z();
 	}
-	return d;
+	btVector3 rounded() const { return btVector3(btScalar(m_world[0]), btScalar(m_world[1]), btScalar(m_world[2])); }
+};
+
+/// Columns of the frame half way from A to B = A R, where q is R and w = cos(angle / 2) is not small. With c = w, v the
+/// vector part of q and H = (A + B) / 2: (1 + R) / 2 is the half rotation with what is at a right angle to v shortened by c,
+/// so the half way frame is H (1 / c - v v^T / (c (1 + c))).
+void halfWay(const btMatrix3x3& A, const btMatrix3x3& B, const btQuaternion& q, btVector3 axis[3])
+{
+	const btScalar scale = 1 / q.w(), along = scale / (1 + q.w());
+	const btVector3 v(q.x(), q.y(), q.z());
+	for (int row = 0; row < 3; ++row)
+	{
+		const btVector3 h = (A[row] + B[row]) * btScalar(0.5);
+		const btVector3 m = h * scale - v * (along * h.dot(v));
+		for (int i = 0; i < 3; ++i)
+			axis[i][row] = m[i];
+	}
 }
 }  // namespace
 
@@ -76,43 +91,62 @@ btQuaternion btElasticPlasticExp(const btVector3& rotation)
 	return btQuaternion(rotation.x() * s, rotation.y() * s, rotation.z() * s, btCos(angle / 2));
 }
 
-btElasticPlasticTurn btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB,
-														  const btTransform& frameA, const btTransform& frameB,
-														  const btVector3& plasticOffset,
-														  const btQuaternion& plasticRotation,
-														  const btQuaternion& plasticMiddle)
+namespace
 {
-	btElasticPlasticTurn turn;
+/// R, nearest to the plastic rotation.
+btQuaternion relativeOf(const btMatrix3x3& basisA, const btMatrix3x3& basisB, const btQuaternion& plasticRotation)
+{
+	btQuaternion relative;
+	basisA.transposeTimes(basisB).getRotation(relative);
+	return relative.dot(plasticRotation) < 0 ? -relative : relative;
+}
+
+/// The middle frame is half an elastic rotation from the plastic middle.
+btQuaternion middleOf(const btQuaternion& elasticTurn, const btQuaternion& plasticMiddle)
+{
+	return halfOf(elasticTurn) * plasticMiddle;
+}
+}  // namespace
+
+btElasticPlasticTurn::btElasticPlasticTurn(const btMatrix3x3& basisA, const btMatrix3x3& basisB,
+										   const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle)
+	: m_relative(relativeOf(basisA, basisB, plasticRotation)),
+	  m_middle(middleOf(m_relative * plasticRotation.inverse(), plasticMiddle))
+{
+}
+
+void btElasticPlasticKinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
+										  const btTransform& frameB, const btVector3& plasticOffset,
+										  const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle)
+{
 	const btMatrix3x3 basisA = bodyA.getBasis() * frameA.getBasis(), basisB = bodyB.getBasis() * frameB.getBasis();
-	basisA.transposeTimes(basisB).getRotation(turn.m_relative);
-	if (turn.m_relative.dot(plasticRotation) < 0)
-		turn.m_relative = -turn.m_relative;
-	btVector3 elastic;
-	if (isNone(plasticRotation) && isNone(plasticMiddle))
-	{
-		turn.m_middle = halfOf(turn.m_relative);
-		elastic = btElasticPlasticLog(turn.m_relative);
-	}
+	const btQuaternion relative = relativeOf(basisA, basisB, plasticRotation);
+	const bool isStraight = isNone(plasticRotation) && isNone(plasticMiddle);
+	const btQuaternion elasticTurn = isStraight ? relative : relative * plasticRotation.inverse();
+	btVector3 elastic = btElasticPlasticLog(elasticTurn);
+	// The rotation's components in the middle frame are those in the plastic middle.
+	if (!isStraight)
+		elastic = quatRotate(plasticMiddle.inverse(), elastic);
+	if (isStraight && relative.w() > btScalar(0.5))
+		halfWay(basisA, basisB, relative, m_axis);
 	else
 	{
-		// The middle frame is half an elastic rotation from the plastic middle: the rotation's components are the same in both.
-		const btQuaternion elasticTurn = turn.m_relative * plasticRotation.inverse();
-		turn.m_middle = halfOf(elasticTurn) * plasticMiddle;
-		elastic = quatRotate(plasticMiddle.inverse(), btElasticPlasticLog(elasticTurn));
+		const btMatrix3x3 mid = basisA * btMatrix3x3(middleOf(elasticTurn, plasticMiddle));
+		for (int i = 0; i < 3; ++i)
+			m_axis[i] = mid.getColumn(i);
 	}
-	const btMatrix3x3 mid = basisA * btMatrix3x3(turn.m_middle);
-	for (int i = 0; i < 3; ++i)
-		m_axis[i] = mid.getColumn(i);
 
-	const btVector3 armA = bodyA.getBasis() * frameA.getOrigin(), armB = bodyB.getBasis() * frameB.getOrigin();
-	const btVector3 d = separation(bodyA, bodyB, frameA.getOrigin(), frameB.getOrigin());
-	m_rA = armA + d * btScalar(0.5);
-	m_rB = armB - d * btScalar(0.5);
+	const Arm armA(bodyA.getBasis(), frameA.getOrigin()), armB(bodyB.getBasis(), frameB.getOrigin());
+	btVector3 d(0, 0, 0);
+	for (int i = 0; i < 3; ++i)
+		d[i] =
+			btScalar(double(bodyB.getOrigin()[i]) - double(bodyA.getOrigin()[i]) + (armB.m_world[i] - armA.m_world[i]));
+	m_rA = armA.rounded() + d * btScalar(0.5);
+	m_rB = armB.rounded() - d * btScalar(0.5);
 
 	for (int i = 0; i < 3; ++i)
 	{
 		m_strain[i] = d.dot(m_axis[i]) - plasticOffset[i];
 		m_strain[3 + i] = elastic[i];
 	}
-	return turn;
 }

@@ -23,6 +23,10 @@ struct btElasticPlasticTurn
 {
 	btQuaternion m_relative;  ///< frame B: R, nearest to the plastic rotation
 	btQuaternion m_middle;    ///< the mid frame
+
+	/// \param basisA, basisB  of the joint's frames, world coordinates; the others as for evaluate() below
+	btElasticPlasticTurn(const btMatrix3x3& basisA, const btMatrix3x3& basisB, const btQuaternion& plasticRotation,
+						 const btQuaternion& plasticMiddle);
 };
 
 /// Where a joint stands: its axes and its elastic deformation.
@@ -47,9 +51,9 @@ struct btElasticPlasticKinematics
 	/// \param plasticOffset   mid-frame components [m]
 	/// \param plasticRotation R_p in frame A, unit quaternion; its sign counts: it carries the turns beyond 180 degrees
 	/// \param plasticMiddle   P, unit quaternion
-	btElasticPlasticTurn evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
-								  const btTransform& frameB, const btVector3& plasticOffset,
-								  const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle);
+	void evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
+				  const btTransform& frameB, const btVector3& plasticOffset, const btQuaternion& plasticRotation,
+				  const btQuaternion& plasticMiddle);
 };
 
 /// Rotation vector of a unit quaternion, |result| <= 2 pi, the sign of the quaternion is kept.

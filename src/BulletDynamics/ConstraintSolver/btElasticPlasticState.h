@@ -26,19 +26,19 @@ struct btElasticPlasticState
 
 	btQuaternion m_plasticRotation = btQuaternion(0, 0, 0, 1);  ///< turn of the reference, in frame A
 	btQuaternion m_plasticMiddle =
-		btQuaternion(0, 0, 0, 1);    ///< the half of it that belongs to A: the unstrained mid frame, in frame A
-	btScalar m_plastic[6] = {};      ///< plastic deformation, signed sum of increments [m], [rad]
-	btScalar m_initial[3] = {};      ///< offset of the frames at which the joint is free of force [m], not plastic
-	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
-	btScalar m_force[6] = {};        ///< f_n [N], [N m]
-	btScalar m_applied[6] = {};      ///< mean force that was applied in the last substep [N], [N m]
-	btScalar m_forceRate[6] = {};    ///< (f_n - f_(n-1)) / dt [N/s], [N m/s]
-	// In double whatever Bullet's precision: sums over many steps.
-	double m_work = 0;           ///< taken from the bodies [J]
-	double m_plasticEnergy = 0;  ///< dissipated by plastic flow, force at yield times path [J]
-	btScalar m_lastStep = 0;     ///< [s]
-	bool m_yielded = false;      ///< has flowed at least once
+		btQuaternion(0, 0, 0, 1);  ///< the half of it that belongs to A: the unstrained mid frame, in frame A
+	btScalar m_plastic[6] = {};    ///< plastic deformation, signed sum of increments [m], [rad]
+	btScalar m_initial[3] = {};    ///< offset of the frames at which the joint is free of force [m], not plastic
+	btScalar m_lastStep = 0;       ///< [s]
+	btScalar m_force[6] = {};      ///< f_n [N], [N m]
+	btScalar m_forceRate[6] = {};  ///< (f_n - f_(n-1)) / dt [N/s], [N m/s]
+	btScalar m_applied[6] = {};    ///< mean force that was applied in the last substep [N], [N m]
+	bool m_yielded = false;        ///< has flowed at least once
 	bool m_broken = false;
+	// In double whatever Bullet's precision: sums over many steps.
+	double m_work = 0;               ///< taken from the bodies [J]
+	double m_plasticEnergy = 0;      ///< dissipated by plastic flow, force at yield times path [J]
+	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
 
 	/// Linear offset of the reference, plastic and initial [m].
 	btVector3 offset() const
