@@ -2,7 +2,11 @@
 
 #include <string.h>
 
+#include <map>
+
 #include <gtest/gtest.h>
+
+#include "BulletCollision/CollisionDispatch/btSimulationIslandManager.h"
 
 #include "BeamOnSupports.h"
 #include "Cantilever.h"
@@ -149,37 +153,94 @@ TEST(DirectIslands, StructureDoesNotFeelOtherIslands)
 		EXPECT_TRUE(bitsOf(alone.m_structure) == bitsOf(other.m_structure)) << &other - others;
 }
 
-TEST(DirectIslands, TwoStructuresInABatchDoNotFeelEachOther)
+/// Structures side by side that Bullet hands over together or apart, and that yield differently.
+class Quarter
 {
-	// Bullet hands both over together: one system of two parts. Pivots are the same, only the search's length is common.
-	const auto place = [](bool other, int batch)
+public:
+	enum Batches
 	{
-		World world(Solver::Direct);
-		world.bullet().getSolverInfo().m_minimumSolverBatchSize = batch;
-		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
-		std::vector<btRigidBody*> chain;
-		for (int c = other ? 0 : 1; c < 2; ++c)
-		{
-			btRigidBody* last = world.body(0, cube, at(0, 0, 5 * c), false);
-			for (int i = 1; i < 10; ++i)
-			{
-				btRigidBody* next = world.body(100, cube, at(i, 0, 5 * c), false);
-				btElasticPlasticCapacity capacity = elastic(1e8);
-				capacity.m_yield[BT_EP_BENDING_Z] = 10000;
-				world.joint(*last, *next, at(i - 0.5, 0, 5 * c), capacity);
-				if (c == 1)
-					chain.push_back(next);
-				last = next;
-			}
-		}
-		for (int i = 0; i < 60; ++i)
-			world.step(FRAME);
-		return chain.back()->getCenterOfMassPosition().y();
+		ALONE,
+		TOGETHER,
+		UNSPLIT  ///< the world does not look for islands
 	};
-	const btScalar alone = place(false, 128);
-	EXPECT_EQ(alone, place(true, 0));
-	// The same to the last digits that the end of the search leaves.
-	EXPECT_NEAR(alone, place(true, 128), byPrecision(1e-9, 1e-4) * fabs(double(alone)));
+
+	/// \param order  of insertion: a is a chain, b and c are nets of the same graph, stirred differently
+	Quarter(const char* order, Batches batches) : m_world(Solver::Direct)
+	{
+		m_world.bullet().getSolverInfo().m_minimumSolverBatchSize = batches == ALONE ? 0 : 1000000;
+		m_world.bullet().getSimulationIslandManager()->setSplitIslands(batches != UNSPLIT);
+		for (; *order; ++order)
+			*order == 'a' ? addNet(1, 10, 0) : addNet(9, 9, *order - 'a');
+	}
+
+	void run()
+	{
+		for (int i = 0; i < 40; ++i)
+			m_world.step(FRAME);
+	}
+
+	bool operator==(const Quarter& other) const
+	{
+		for (const auto& structure : other.m_structures)
+		{
+			const auto mine = m_structures.find(structure.first);
+			if (mine != m_structures.end() && !(bitsOf(mine->second) == bitsOf(structure.second)))
+				return false;
+		}
+		return true;
+	}
+
+	World m_world;
+	std::map<int, std::vector<btRigidBody*>> m_structures;
+
+private:
+	void addNet(int width, int length, int number)
+	{
+		btCollisionShape* cube = m_world.box(btVector3(1, 1, 1));
+		std::vector<btRigidBody*>& bodies = m_structures[number];
+		btRigidBody* wall = m_world.body(0, cube, at(-1, 0, 20 * number), false);
+		btElasticPlasticCapacity capacity = elastic(1e8);
+		capacity.m_yield[BT_EP_BENDING_Z] = btScalar(5000 * width);
+		for (int i = 0; i < length; ++i)
+			for (int j = 0; j < width; ++j)
+			{
+				const btTransform place = at(i, 0, 20 * number + j);
+				bodies.push_back(m_world.body(100, cube, place, false));
+				bodies.back()->setLinearVelocity(btVector3(0, btScalar(0.1 * number * i), btScalar(0.1 * number * j)));
+				m_world.joint(i > 0 ? *bodies[(i - 1) * width + j] : *wall, *bodies.back(),
+							  at(i - 0.5, 0, 20 * number + j), capacity);
+				if (j > 0)
+					m_world.joint(*bodies[i * width + j - 1], *bodies.back(), at(i, 0, 20 * number + j - 0.5),
+								  capacity);
+			}
+	}
+};
+
+TEST(DirectIslands, StructuresGiveTheSameBitsWhateverIsBesideThem)
+{
+	Quarter reference("abc", Quarter::ALONE);
+	reference.run();
+	EXPECT_TRUE(reference.m_world.joints()[0]->hasYielded());
+	// The nets' factors are kept from step to step: each must get its own.
+	EXPECT_GT(statisticsOf(reference.m_world).m_iterations, 0);
+	EXPECT_EQ(0, statisticsOf(reference.m_world).m_fallbacks);
+	for (const char* order : {"a", "b", "c", "abc", "cba", "bac", "cab"})
+		for (Quarter::Batches batches : {Quarter::ALONE, Quarter::TOGETHER, Quarter::UNSPLIT})
+		{
+			Quarter other(order, batches);
+			other.run();
+			EXPECT_TRUE(other == reference) << order << " " << batches;
+		}
+}
+
+TEST(DirectIslands, SleepingStructureCostsNothingInAnUnsplitWorld)
+{
+	Quarter quarter("a", Quarter::UNSPLIT);
+	for (btRigidBody* body : quarter.m_structures[0])
+		body->forceActivationState(ISLAND_SLEEPING);
+	quarter.run();
+	EXPECT_EQ(0, statisticsOf(quarter.m_world).m_islands);
+	EXPECT_EQ(0, quarter.m_structures[0].back()->getCenterOfMassPosition().y());
 }
 
 TEST(DirectIslands, ElasticGraphIsAnalysedOnce)
@@ -196,6 +257,9 @@ TEST(DirectIslands, ElasticGraphIsAnalysedOnce)
 	EXPECT_EQ(0, statistics.m_newtonSteps);
 	EXPECT_EQ(0, statistics.m_contactLoops);
 	EXPECT_EQ(0, statistics.m_fallbacks);
+	for (double time : {statistics.m_setUpTime, statistics.m_analysisTime, statistics.m_assemblyTime,
+						statistics.m_factorisationTime, statistics.m_solutionTime, statistics.m_searchTime})
+		EXPECT_GT(time, 0);
 	solverOf(cantilever.m_world).resetStatistics();
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_islands);
 }

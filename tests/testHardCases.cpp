@@ -168,11 +168,18 @@ TEST(HardCases, HoldsMountains)
 		}
 }
 
-TEST(HardCases, NanVelocitiesAndForcesStayWhereTheyAre)
+TEST(HardCases, NanStaysWhereItIs)
 {
+	enum Where
+	{
+		VELOCITY,
+		FORCE,
+		PLACE,
+		TURN
+	};
 	const btScalar nan = std::numeric_limits<btScalar>::quiet_NaN();
 	for (Solver solver : {Solver::Stock, Solver::Iterative, Solver::Direct})
-		for (bool force : {false, true})
+		for (Where where : {VELOCITY, FORCE, PLACE, TURN})
 		{
 			World world(solver, btVector3(0, 0, 0));
 			btCollisionShape* cube = world.box(btVector3(1, 1, 1));
@@ -183,14 +190,19 @@ TEST(HardCases, NanVelocitiesAndForcesStayWhereTheyAre)
 					world.joint(*world.bodies()[i - 1], *body, at(i - 0.5), evenCapacity(1e5, 1e3));
 			}
 			world.step(btScalar(1) / 60);
-			if (force)
-				world.bodies()[4]->applyCentralForce(btVector3(nan, 0, 0));
+			btRigidBody& sick = *world.bodies()[4];
+			if (where == VELOCITY)
+				sick.setLinearVelocity(btVector3(nan, 0, 0));
+			else if (where == FORCE)
+				sick.applyCentralForce(btVector3(nan, 0, 0));
 			else
-				world.bodies()[4]->setLinearVelocity(btVector3(nan, 0, 0));
+				sick.setCenterOfMassTransform(
+					where == PLACE ? at(double(nan)) : btTransform(btQuaternion(nan, 0, 0, 1), btVector3(4, 0, 0)));
 			for (int i = 0; i < 10; ++i)
 				world.step(btScalar(1) / 60);
 			for (int i = 0; i < 4; ++i)
-				EXPECT_TRUE(btElasticPlasticIsFinite(world.bodies()[i]->getCenterOfMassPosition().length())) << i;
+				EXPECT_TRUE(btElasticPlasticIsFinite(world.bodies()[i]->getCenterOfMassPosition().length()))
+					<< i << " " << where;
 		}
 }
 

@@ -15,6 +15,8 @@ subject to the following restrictions:
 
 #include "btElasticPlasticConstraintSolver.h"
 
+#include "BulletCollision/CollisionDispatch/btCollisionObject.h"
+
 // ---- islands
 
 void btElasticPlasticConstraintSolver::prepareSolve(int numBodies, int numManifolds)
@@ -22,6 +24,18 @@ void btElasticPlasticConstraintSolver::prepareSolve(int numBodies, int numManifo
 	m_system.getLinearSolver().beginStep();
 	btSequentialImpulseConstraintSolver::prepareSolve(numBodies, numManifolds);
 }
+
+namespace
+{
+/// Bullet looks itself, but not where the world does not split islands.
+bool isAsleep(const btElasticPlasticGroup& island)
+{
+	for (int i = 0; i < island.m_numBodies; ++i)
+		if (island.m_bodies[i]->isActive())
+			return false;
+	return island.m_numBodies > 0;
+}
+}  // namespace
 
 btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies, int numBodies,
 													  btPersistentManifold** manifolds, int numManifolds,
@@ -53,7 +67,8 @@ btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies
 	}
 	m_islands.split(group);
 	for (int i = 0; i < m_islands.getNumIslands(); ++i)
-		solve(m_islands.getIsland(i));
+		if (!isAsleep(m_islands.getIsland(i)))
+			solve(m_islands.getIsland(i));
 	group = m_islands.getOthers();
 	group.m_joints = nullptr;
 	if (group.m_numBodies > 0)

@@ -59,10 +59,12 @@ int btElasticPlasticJoint::prepare()
 	const btRigidBody &A = m_constraint.getRigidBodyA(), &B = m_constraint.getRigidBodyB();
 	if (m_fault || m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
 		return 0;
-	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it. Here its motion, which
-	// Bullet multiplies with any row; where it stands is looked at with the strain.
+	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it. Here what Bullet multiplies
+	// with any row; a row of its inertia tells whether it is turned in a way that is no number. Where it stands is looked at
+	// with the strain.
 	const btVector3 motion = A.getLinearVelocity() + A.getAngularVelocity() + A.getTotalForce() + A.getTotalTorque() +
-							 B.getLinearVelocity() + B.getAngularVelocity() + B.getTotalForce() + B.getTotalTorque();
+							 A.getInvInertiaTensorWorld()[0] + B.getLinearVelocity() + B.getAngularVelocity() +
+							 B.getTotalForce() + B.getTotalTorque() + B.getInvInertiaTensorWorld()[0];
 	if (!btElasticPlasticIsFinite(motion.x() + motion.y() + motion.z()))
 		return 0;
 	// Angular rows first, as in Bullet's own classes.
