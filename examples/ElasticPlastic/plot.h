@@ -1,0 +1,38 @@
+#ifndef EP_PLOT_H
+#define EP_PLOT_H
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ep
+{
+/// Curves over an axis, drawn as SVG: stands in a page as it is, and needs nothing to be seen.
+struct Plot
+{
+	enum Style
+	{
+		SOLID,  ///< with a mark at each point if they are few
+		DASHED,
+		DOTTED
+	};
+	struct Curve
+	{
+		std::string m_name;
+		std::vector<std::pair<double, double>> m_points;
+		Style m_style = SOLID;
+		int m_color = -1;  ///< of the palette, -1: the next one
+	};
+
+	std::string m_title, m_xLabel, m_yLabel;
+	bool m_logX = false, m_logY = false;  ///< then points that are not greater than 0 are left out
+	std::vector<Curve> m_curves;
+
+	std::string svg() const;
+};
+
+/// Throws std::runtime_error, with the file's name, if it cannot be written.
+void writeText(const std::string& file, const std::string& text);
+}  // namespace ep
+
+#endif  // EP_PLOT_H
