@@ -11,7 +11,8 @@ namespace
 {
 using namespace ep;
 
-void Direct(benchmark::State& state, StiffStructure::Shape shape, bool collapsing, bool splitIslands = true)
+void Direct(benchmark::State& state, StiffStructure::Shape shape, bool collapsing, bool splitIslands = true,
+			int threads = 1)
 {
 	StiffStructure::Settings settings;
 	settings.shape = shape;
@@ -23,6 +24,7 @@ void Direct(benchmark::State& state, StiffStructure::Shape shape, bool collapsin
 	settings.solver = Solver::Stock;
 	StiffStructure stock(settings);
 	auto& solver = static_cast<btElasticPlasticConstraintSolver&>(*ours.world().bullet().getConstraintSolver());
+	solver.setNumThreads(threads);
 	// The first steps look at the graph for the first time, and fill caches.
 	for (int i = 0; i < 3; ++i)
 	{
@@ -66,6 +68,11 @@ EP_DIRECT(chain, Chain, false, 10, 3000);
 EP_DIRECT(chain, Chain, false, 100, 1000);
 EP_DIRECT(chains, Chains, false, 500, 60);
 BENCHMARK_CAPTURE(Direct, chains_unsplit, StiffStructure::Shape::Chains, false, false)
+	->Arg(500)
+	->Iterations(60)
+	->UseManualTime()
+	->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(Direct, chains_unsplit_two_threads, StiffStructure::Shape::Chains, false, false, 2)
 	->Arg(500)
 	->Iterations(60)
 	->UseManualTime()

@@ -170,7 +170,7 @@ public:
 		m_world.bullet().getSolverInfo().m_minimumSolverBatchSize = batches == ALONE ? 0 : 1000000;
 		m_world.bullet().getSimulationIslandManager()->setSplitIslands(batches != UNSPLIT);
 		for (; *order; ++order)
-			*order == 'a' ? addNet(1, 10, 0) : addNet(9, 9, *order - 'a');
+			*order == 'a' ? addNet(1, 10, 0) : addNet(11, 11, *order - 'a');
 	}
 
 	void run()
@@ -231,6 +231,57 @@ TEST(DirectIslands, StructuresGiveTheSameBitsWhateverIsBesideThem)
 			other.run();
 			EXPECT_TRUE(other == reference) << order << " " << batches;
 		}
+}
+
+/// Posts on a ground: those that are hit yield and break, and all touch the ground.
+std::vector<Bits> fencesHitWith(int threads, btElasticPlasticStatistics& statistics)
+{
+	World world(Solver::Direct);
+	solverOf(world).setNumThreads(threads);
+	world.bullet().getSimulationIslandManager()->setSplitIslands(false);
+	btCollisionShape* post = world.box(btVector3(btScalar(0.2), 1, btScalar(0.2)));
+	world.body(0, world.box(btVector3(200, 1, 200)), at(0, -0.5));
+	btRigidBody* crane = world.body(0, post, at(-5, 3));
+	crane->setCollisionFlags(crane->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+	std::vector<btRigidBody*> posts;
+	for (int fence = 0; fence < 30; ++fence)
+	{
+		// One of them hangs on the crane.
+		btRigidBody* last = fence == 7 ? crane : nullptr;
+		for (int i = 0; i < 4; ++i)
+		{
+			btRigidBody* next = world.body(50, post, at(i, 0.51, 3 * fence));
+			btElasticPlasticCapacity capacity = elastic(1e7);
+			for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+			{
+				capacity.m_yield[dof] = 2000;
+				capacity.m_ductility[dof] = btScalar(0.2);
+			}
+			if (last)
+				world.joint(*last, *next, at(i - 0.5, 1, 3 * fence), capacity);
+			posts.push_back(last = next);
+		}
+		last->setLinearVelocity(btVector3(0, 1, btScalar(0.5 * fence)));
+	}
+	for (int i = 0; i < 60; ++i)
+		world.step(FRAME);
+	statistics = statisticsOf(world);
+	return bitsOf(posts);
+}
+
+TEST(DirectIslands, ThreadsChangeNoBit)
+{
+	btElasticPlasticStatistics one, many;
+	const std::vector<Bits> reference = fencesHitWith(1, one);
+	EXPECT_GT(one.m_newtonSteps, 0);
+	EXPECT_GT(one.m_contactLoops, 0);
+	for (int threads : {2, 5})
+	{
+		EXPECT_TRUE(fencesHitWith(threads, many) == reference) << threads;
+		EXPECT_EQ(one.m_islands, many.m_islands);
+		EXPECT_EQ(one.m_newtonSteps, many.m_newtonSteps);
+		EXPECT_EQ(one.m_rows, many.m_rows);
+	}
 }
 
 TEST(DirectIslands, SleepingStructureCostsNothingInAnUnsplitWorld)

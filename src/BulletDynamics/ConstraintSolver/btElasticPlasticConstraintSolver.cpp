@@ -16,12 +16,23 @@ subject to the following restrictions:
 #include "btElasticPlasticConstraintSolver.h"
 
 #include "BulletCollision/CollisionDispatch/btCollisionObject.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 
 // ---- islands
+
+void btElasticPlasticConstraintSolver::setNumThreads(int threads)
+{
+	m_crew.reset(threads > 1 ? new btElasticPlasticCrew(threads) : nullptr);
+	m_assistants.resize(threads > 1 ? threads - 1 : 0);
+	for (auto& assistant : m_assistants)
+		assistant.reset(new btElasticPlasticConstraintSolver);
+}
 
 void btElasticPlasticConstraintSolver::prepareSolve(int numBodies, int numManifolds)
 {
 	m_system.getLinearSolver().beginStep();
+	for (const auto& assistant : m_assistants)
+		assistant->prepareSolve(numBodies, numManifolds);
 	btSequentialImpulseConstraintSolver::prepareSolve(numBodies, numManifolds);
 }
 
@@ -35,7 +46,68 @@ bool isAsleep(const btElasticPlasticGroup& island)
 			return false;
 	return island.m_numBodies > 0;
 }
+
+/// Is it any thread's business? Not if its factor is kept from step to step, and not with a kinematic body, in which Bullet
+/// notes which of a solver's bodies it is.
+bool isLight(const btElasticPlasticGroup& island)
+{
+	if (btElasticPlasticLinearSolver::mayKeepFactor(island.m_numBodies))
+		return false;
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_constraints[i]->getRigidBodyA().isKinematicObject() ||
+			island.m_constraints[i]->getRigidBodyB().isKinematicObject())
+			return false;
+	for (int i = 0; i < island.m_numManifolds; ++i)
+		if (island.m_manifolds[i]->getBody0()->isKinematicObject() ||
+			island.m_manifolds[i]->getBody1()->isKinematicObject())
+			return false;
+	return true;
+}
 }  // namespace
+
+void btElasticPlasticConstraintSolver::solveIsland(const btElasticPlasticGroup& island, const btContactSolverInfo& info,
+												   btIDebugDraw* debugDrawer, btDispatcher* dispatcher)
+{
+	m_islandJoints = island.m_joints;
+	btSequentialImpulseConstraintSolver::solveGroup(island.m_bodies, island.m_numBodies, island.m_manifolds,
+													island.m_numManifolds, island.m_constraints,
+													island.m_numConstraints, info, debugDrawer, dispatcher);
+}
+
+/// Islands that the crew shares.
+struct btElasticPlasticConstraintSolver::LightIslands : btElasticPlasticCrew::Task
+{
+	btElasticPlasticConstraintSolver& m_solver;
+	const btContactSolverInfo& m_info;
+	btDispatcher* m_dispatcher;
+	std::vector<int>& m_islands;
+
+	LightIslands(btElasticPlasticConstraintSolver& solver, const btContactSolverInfo& info, btDispatcher* dispatcher)
+		: m_solver(solver), m_info(info), m_dispatcher(dispatcher), m_islands(solver.m_lightIslands)
+	{
+		m_islands.clear();
+	}
+
+	void solve()
+	{
+		if (m_islands.empty())
+			return;
+		for (auto& assistant : m_solver.m_assistants)
+			assistant->m_system.copySettings(m_solver.m_system);
+		m_solver.m_crew->run(*this, int(m_islands.size()));
+		for (auto& assistant : m_solver.m_assistants)
+		{
+			m_solver.m_system.getStatistics() += assistant->getStatistics();
+			assistant->resetStatistics();
+		}
+	}
+
+	void run(int index, int worker) override
+	{
+		btElasticPlasticConstraintSolver& solver = worker == 0 ? m_solver : *m_solver.m_assistants[worker - 1];
+		solver.solveIsland(m_solver.m_islands.getIsland(m_islands[index]), m_info, nullptr, m_dispatcher);
+	}
+};
 
 btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies, int numBodies,
 													  btPersistentManifold** manifolds, int numManifolds,
@@ -51,28 +123,30 @@ btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies
 		hasJoints |= m_joints[i] != nullptr;
 	}
 	btElasticPlasticGroup group = {bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, nullptr};
-	const auto solve = [&](const btElasticPlasticGroup& g)
-	{
-		m_islandJoints = g.m_joints;
-		btSequentialImpulseConstraintSolver::solveGroup(g.m_bodies, g.m_numBodies, g.m_manifolds, g.m_numManifolds,
-														g.m_constraints, g.m_numConstraints, info, debugDrawer,
-														dispatcher);
-	};
 	if (hasJoints)
 		group.m_joints = &m_joints[0];
 	if (!hasJoints || m_form == BT_EP_ITERATIVE)
 	{
-		solve(group);
+		solveIsland(group, info, debugDrawer, dispatcher);
 		return 0;
 	}
 	m_islands.split(group);
+	LightIslands light(*this, info, dispatcher);
 	for (int i = 0; i < m_islands.getNumIslands(); ++i)
-		if (!isAsleep(m_islands.getIsland(i)))
-			solve(m_islands.getIsland(i));
+	{
+		const btElasticPlasticGroup island = m_islands.getIsland(i);
+		if (isAsleep(island))
+			continue;
+		if (m_crew && isLight(island))
+			m_lightIslands.push_back(i);
+		else
+			solveIsland(island, info, debugDrawer, dispatcher);
+	}
+	light.solve();
 	group = m_islands.getOthers();
 	group.m_joints = nullptr;
 	if (group.m_numBodies > 0)
-		solve(group);
+		solveIsland(group, info, debugDrawer, dispatcher);
 	return 0;
 }
 

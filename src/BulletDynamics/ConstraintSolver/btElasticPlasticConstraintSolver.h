@@ -16,7 +16,11 @@ subject to the following restrictions:
 #ifndef BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H
 #define BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H
 
+#include <memory>
+#include <vector>
+
 #include "BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h"
+#include "btElasticPlasticCrew.h"
 #include "btElasticPlasticIslands.h"
 #include "btElasticPlasticJoint.h"
 #include "btElasticPlasticSystem.h"
@@ -46,6 +50,12 @@ public:
 	void setForm(btElasticPlasticForm form) { m_form = form; }
 	btElasticPlasticForm getForm() const { return m_form; }
 
+	/// How many threads solve islands at the same time, the calling one included; >= 1. Default: 1. For small islands with
+	/// elastic-plastic joints, direct form only; it pays from some dozens of them, in worlds with
+	/// setSplitIslands(false), or Bullet hands over few at a time. The number of threads changes no bit of the result.
+	void setNumThreads(int threads);
+	int getNumThreads() const { return m_crew ? m_crew->getNumWorkers() : 1; }
+
 	/// The direct form's settings.
 	btElasticPlasticSystem& getSystem() { return m_system; }
 
@@ -68,6 +78,12 @@ protected:
 		override;
 
 private:
+	// ---- islands
+	struct LightIslands;
+
+	void solveIsland(const btElasticPlasticGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+					 btDispatcher* dispatcher);
+
 	// ---- the iterative form
 	struct JointRows
 	{
@@ -105,6 +121,9 @@ private:
 	int m_firstRow = 0;                                 ///< in the system, of those in Bullet's pools
 	btAlignedObjectArray<int> m_index;                  ///< of a solver body in the system, -1: does not move
 	btElasticPlasticSystem m_system;
+	std::vector<int> m_lightIslands;
+	std::unique_ptr<btElasticPlasticCrew> m_crew;                                 ///< null: one thread
+	std::vector<std::unique_ptr<btElasticPlasticConstraintSolver>> m_assistants;  ///< of the crew's other workers
 };
 
 #endif  // BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H

@@ -37,7 +37,8 @@ size_t hashOf(int numBodies, const std::vector<int>& edges)
 /// Is a factor so much more expensive than a solution with it that iterating with an old one pays?
 bool isWorthKeeping(const btElasticPlasticBlockFactor& factor)
 {
-	return double(factor.getNumOperations()) > 8. * 144 * double(factor.getNumBlocks());
+	return btElasticPlasticLinearSolver::mayKeepFactor(factor.getNumBodies()) &&
+		   double(factor.getNumOperations()) > 8. * 144 * double(factor.getNumBlocks());
 }
 }  // namespace
 

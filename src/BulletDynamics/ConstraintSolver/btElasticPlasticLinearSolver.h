@@ -56,6 +56,16 @@ public:
 	/// x = H^-1 x, 6 doubles per body. \return false, and x means nothing, if H is not positive definite
 	bool solve(std::vector<double>& x);
 
+	/// May an island of so many bodies have a factor that is kept? If not, nothing of it stays here but its graph's plan: any
+	/// linear solver gives the same bits.
+	static bool mayKeepFactor(int numBodies) { return numBodies > 100; }
+
+	void copySettings(const btElasticPlasticLinearSolver& other)
+	{
+		m_maxIterations = other.m_maxIterations;
+		m_tolerance = other.m_tolerance;
+	}
+
 	/// A kept factor is used while so few iterations with it are enough. 0: never
 	int m_maxIterations = 8;
 	double m_tolerance = 1e-11;  ///< of the iterations' residual, relative to b

@@ -30,13 +30,34 @@ struct btElasticPlasticStatistics
 	long long m_contactLoops = 0;
 	long long m_fallbacks = 0;  ///< no convergence, or not a number: the iterative form has solved the island
 
-	// Where the time went [s].
+	// Where the time went, of all threads together [s].
 	double m_setUpTime = 0;     ///< joints' rows
 	double m_analysisTime = 0;  ///< the graph, known or new
 	double m_assemblyTime = 0;  ///< the matrix
 	double m_factorisationTime = 0;
 	double m_solutionTime = 0;  ///< with a factor, conjugate gradients included
 	double m_searchTime = 0;    ///< impulses, bounds, line search, contact loops
+
+	btElasticPlasticStatistics& operator+=(const btElasticPlasticStatistics& s)
+	{
+		m_islands += s.m_islands;
+		m_rows += s.m_rows;
+		m_newtonSteps += s.m_newtonSteps;
+		m_analyses += s.m_analyses;
+		m_factorisations += s.m_factorisations;
+		m_partialFactorisations += s.m_partialFactorisations;
+		m_solutions += s.m_solutions;
+		m_iterations += s.m_iterations;
+		m_contactLoops += s.m_contactLoops;
+		m_fallbacks += s.m_fallbacks;
+		m_setUpTime += s.m_setUpTime;
+		m_analysisTime += s.m_analysisTime;
+		m_assemblyTime += s.m_assemblyTime;
+		m_factorisationTime += s.m_factorisationTime;
+		m_solutionTime += s.m_solutionTime;
+		m_searchTime += s.m_searchTime;
+		return *this;
+	}
 };
 
 #endif  // BT_ELASTIC_PLASTIC_STATISTICS_H

@@ -113,6 +113,14 @@ public:
 	btElasticPlasticStatistics& getStatistics() { return m_statistics; }
 	const btElasticPlasticStatistics& getStatistics() const { return m_statistics; }
 
+	void copySettings(const btElasticPlasticSystem& other)
+	{
+		m_maxNewtonSteps = other.m_maxNewtonSteps;
+		m_maxContactLoops = other.m_maxContactLoops;
+		m_contactTolerance = other.m_contactTolerance;
+		m_linearSolver.copySettings(other.m_linearSolver);
+	}
+
 	/// Longest search, and how exactly contacts are solved.
 	int m_maxNewtonSteps = 500;
 	int m_maxContactLoops = 20;
