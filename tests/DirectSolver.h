@@ -10,9 +10,6 @@ inline btElasticPlasticConstraintSolver& solverOf(ep::World& world)
 	return static_cast<btElasticPlasticConstraintSolver&>(*world.bullet().getConstraintSolver());
 }
 
-inline const btElasticPlasticStatistics& statisticsOf(ep::World& world)
-{
-	return solverOf(world).getStatistics();
-}
+inline const btElasticPlasticStatistics& statisticsOf(ep::World& world) { return solverOf(world).getStatistics(); }
 
 #endif  // EP_TEST_DIRECT_SOLVER_H

@@ -11,26 +11,13 @@
 #include "DirectSolver.h"
 #include "EnergyAudit.h"
 #include "Precision.h"
+#include "Shorthand.h"
 
 namespace
 {
 using namespace ep;
 
 const btScalar FRAME = btScalar(1) / 60;
-
-btTransform at(double x, double y, double z = 0)
-{
-	return btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(x), btScalar(y), btScalar(z)));
-}
-
-/// A joint that is stiff for bodies of some tons and does not yield.
-btElasticPlasticCapacity stiff(double stiffness = 1e9)
-{
-	btElasticPlasticCapacity capacity;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		capacity.set(i, btScalar(stiffness), btElasticPlasticCapacity::unlimited());
-	return capacity;
-}
 
 // ---- the beam on supports
 
@@ -95,8 +82,8 @@ TEST(DirectContacts, StackOfJointedAndLooseBoxesStandsStill)
 	std::vector<btRigidBody*> boxes;
 	for (int i = 0; i < 6; ++i)
 		boxes.push_back(world.body(1000, cube, at(0, i + 0.5)));
-	world.joint(*boxes[0], *boxes[1], at(0, 1), stiff());
-	world.joint(*boxes[3], *boxes[4], at(0, 4), stiff());
+	world.joint(*boxes[0], *boxes[1], at(0, 1), evenCapacity(1e9));
+	world.joint(*boxes[3], *boxes[4], at(0, 4), evenCapacity(1e9));
 	for (int i = 0; i < 180; ++i)
 		world.step(FRAME);
 	for (int i = 0; i < 6; ++i)
@@ -131,7 +118,7 @@ struct Slope
 			m_boxes[i] = m_world.body(i ? 500 : 2000, shape, at(1.1 * i, 0.2));
 			m_boxes[i]->setFriction(btScalar(0.5));
 		}
-		m_world.joint(*m_boxes[0], *m_boxes[1], at(0.55, 0.2), stiff());
+		m_world.joint(*m_boxes[0], *m_boxes[1], at(0.55, 0.2), evenCapacity(1e9));
 	}
 };
 
@@ -172,7 +159,7 @@ double bounce(Solver solver, double restitution)
 	btRigidBody* b = world.body(1000, cube, at(1, 1.5));
 	a->setRestitution(btScalar(restitution));
 	b->setRestitution(btScalar(restitution));
-	world.joint(*a, *b, at(0.5, 1.5), stiff());
+	world.joint(*a, *b, at(0.5, 1.5), evenCapacity(1e9));
 	double highest = 0;
 	bool rising = false;
 	for (int i = 0; i < 240; ++i)
@@ -213,7 +200,7 @@ struct Balls
 			m_balls[i]->setRollingFriction(btScalar(rollingFriction));
 			m_balls[i]->setSpinningFriction(btScalar(rollingFriction));
 		}
-		m_world.joint(*m_balls[0], *m_balls[1], stacked ? at(0, 1.05) : at(0, 0.5, 1), stiff(1e7));
+		m_world.joint(*m_balls[0], *m_balls[1], stacked ? at(0, 1.05) : at(0, 0.5, 1), evenCapacity(1e7));
 	}
 
 	/// On the axle, how far they roll in 3 s from 2 m/s.
@@ -278,7 +265,7 @@ struct Mixed
 		m_ground = m_world.body(0, cube, at(-1, 0), false);
 		m_a = m_world.body(100, cube, at(0, 0), false);
 		m_b = m_world.body(20, cube, at(1, 0), false);
-		m_joint = m_world.joint(*m_a, *m_b, at(0.5, 0), stiff(1e6));
+		m_joint = m_world.joint(*m_a, *m_b, at(0.5, 0), evenCapacity(1e6));
 	}
 };
 
@@ -369,7 +356,7 @@ TEST(DirectContacts, BallSocketsCarryABridgeOfJoints)
 	{
 		boxes.push_back(world.body(100, cube, at(i, 0), false));
 		if (i > 0)
-			world.joint(*boxes[i - 1], *boxes[i], at(i - 0.5, 0), stiff());
+			world.joint(*boxes[i - 1], *boxes[i], at(i - 0.5, 0), evenCapacity(1e9));
 	}
 	btPoint2PointConstraint* ends[2];
 	for (int i = 0; i < 2; ++i)
@@ -404,9 +391,9 @@ TEST(DirectContacts, FourHundredContactsOnAFrame)
 		slabs.push_back(world.body(500, slab, at(x, 0, z)));
 		boxes.push_back(world.body(100, box, at(x, 0.35, z)));
 		if (x > 0)
-			world.joint(*slabs[i - 1], *slabs[i], at(x - 0.5, 0, z), stiff());
+			world.joint(*slabs[i - 1], *slabs[i], at(x - 0.5, 0, z), evenCapacity(1e9));
 		if (z > 0)
-			world.joint(*slabs[i - n], *slabs[i], at(x, 0, z - 0.5), stiff());
+			world.joint(*slabs[i - n], *slabs[i], at(x, 0, z - 0.5), evenCapacity(1e9));
 	}
 	for (int corner : {0, n - 1, n * (n - 1), n * n - 1})
 		world.body(0, box, slabs[corner]->getCenterOfMassTransform() * at(0, -0.35));

@@ -12,17 +12,13 @@
 #include "Cantilever.h"
 #include "DirectSolver.h"
 #include "Precision.h"
+#include "Shorthand.h"
 
 namespace
 {
 using namespace ep;
 
 const btScalar FRAME = btScalar(1) / 60;
-
-btTransform at(double x, double y, double z = 0)
-{
-	return btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(x), btScalar(y), btScalar(z)));
-}
 
 /// All bits of a body's motion.
 struct Bits
@@ -53,14 +49,6 @@ std::vector<Bits> bitsOf(const std::vector<btRigidBody*>& bodies)
 	return bits;
 }
 
-btElasticPlasticCapacity elastic(double stiffness)
-{
-	btElasticPlasticCapacity capacity;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		capacity.set(i, btScalar(stiffness), btElasticPlasticCapacity::unlimited());
-	return capacity;
-}
-
 /// A jointed tower that falls on the ground, and tilted boxes beside it that tumble and pile up.
 struct Yard
 {
@@ -87,7 +75,7 @@ struct Yard
 		{
 			m_structure.push_back(m_world.body(1000, cube, at(0, 0.6 + i)));
 			if (i > 0)
-				m_world.joint(*m_structure[i - 1], *m_structure[i], at(0, 0.1 + i), elastic(1e8));
+				m_world.joint(*m_structure[i - 1], *m_structure[i], at(0, 0.1 + i), evenCapacity(1e8));
 		}
 		m_structure[4]->setLinearVelocity(btVector3(btScalar(0.3), 0, 0));
 	}
@@ -199,7 +187,7 @@ private:
 		btCollisionShape* cube = m_world.box(btVector3(1, 1, 1));
 		std::vector<btRigidBody*>& bodies = m_structures[number];
 		btRigidBody* wall = m_world.body(0, cube, at(-1, 0, 20 * number), false);
-		btElasticPlasticCapacity capacity = elastic(1e8);
+		btElasticPlasticCapacity capacity = evenCapacity(1e8);
 		capacity.m_yield[BT_EP_BENDING_Z] = btScalar(5000 * width);
 		for (int i = 0; i < length; ++i)
 			for (int j = 0; j < width; ++j)
@@ -251,7 +239,7 @@ std::vector<Bits> fencesHitWith(int threads, btElasticPlasticStatistics& statist
 		for (int i = 0; i < 4; ++i)
 		{
 			btRigidBody* next = world.body(50, post, at(i, 0.51, 3 * fence));
-			btElasticPlasticCapacity capacity = elastic(1e7);
+			btElasticPlasticCapacity capacity = evenCapacity(1e7);
 			for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 			{
 				capacity.m_yield[dof] = 2000;

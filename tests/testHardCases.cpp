@@ -9,23 +9,11 @@
 
 #include "Precision.h"
 #include "World.h"
+#include "Shorthand.h"
 
 namespace
 {
 using namespace ep;
-
-btElasticPlasticCapacity evenCapacity(double stiffness, double yield)
-{
-	btElasticPlasticCapacity capacity;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		capacity.set(i, btScalar(stiffness), btScalar(yield));
-	return capacity;
-}
-
-btTransform at(double x, double y = 0)
-{
-	return btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(x), btScalar(y), 0));
-}
 
 /// A fixed cube and one of 12 kg beside it.
 struct Pair
