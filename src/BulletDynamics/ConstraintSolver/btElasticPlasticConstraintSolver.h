@@ -106,6 +106,8 @@ private:
 	void fallBack(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
 	void addBodies();
 	void addJoint(btElasticPlasticJoint & joint, const btContactSolverInfo& info);
+	void addUnit(const btElasticPlasticJoint& joint, const int solverBodies[2]);
+	void addSingleRows(const btElasticPlasticJoint& joint, const int solverBodies[2]);
 	btElasticPlasticSystem::Row& addRow(const btSolverConstraint& row);
 	void addContacts();
 	void takeResult();

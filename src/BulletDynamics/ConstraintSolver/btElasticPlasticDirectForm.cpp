@@ -57,12 +57,11 @@ void copy(double* to, const btVector3& from, const btVector3& factor)
 	for (int i = 0; i < 3; ++i)
 		to[i] = factor[i] != 0 ? double(from[i]) : 0;
 }
-bool isFree(const btRigidBody& body)
+bool isFree(const btSolverBody& body)
 {
 	const btVector3 one(1, 1, 1);
-	return body.getLinearFactor() == one && body.getAngularFactor() == one;
+	return body.m_linearFactor == one && body.m_angularFactor == one;
 }
-
 }  // namespace
 
 /// Those that Bullet has taken in since the last call, which may be static ones only.
@@ -82,13 +81,11 @@ void btElasticPlasticConstraintSolver::addBodies()
 btElasticPlasticSystem::Row& btElasticPlasticConstraintSolver::addRow(const btSolverConstraint& from)
 {
 	btElasticPlasticSystem::Row& row = m_system.addRow();
-	const btRigidBody *a = m_tmpSolverBodyPool[from.m_solverBodyIdA].m_originalBody,
-					  *b = m_tmpSolverBodyPool[from.m_solverBodyIdB].m_originalBody;
-	const btVector3 one(1, 1, 1);
-	copy(row.m_J, from.m_contactNormal1, a ? a->getLinearFactor() : one);
-	copy(row.m_J + 3, from.m_relpos1CrossNormal, a ? a->getAngularFactor() : one);
-	copy(row.m_J + 6, from.m_contactNormal2, b ? b->getLinearFactor() : one);
-	copy(row.m_J + 9, from.m_relpos2CrossNormal, b ? b->getAngularFactor() : one);
+	const btSolverBody &A = m_tmpSolverBodyPool[from.m_solverBodyIdA], &B = m_tmpSolverBodyPool[from.m_solverBodyIdB];
+	copy(row.m_J, from.m_contactNormal1, A.m_linearFactor);
+	copy(row.m_J + 3, from.m_relpos1CrossNormal, A.m_angularFactor);
+	copy(row.m_J + 6, from.m_contactNormal2, B.m_linearFactor);
+	copy(row.m_J + 9, from.m_relpos2CrossNormal, B.m_angularFactor);
 	row.m_body[0] = m_index[from.m_solverBodyIdA];
 	row.m_body[1] = m_index[from.m_solverBodyIdB];
 	btElasticPlasticSystem::Law& law = m_system.getLaw(row.m_law);
@@ -129,41 +126,46 @@ void btElasticPlasticConstraintSolver::addJoint(btElasticPlasticJoint& joint, co
 		law.m_upper = btMin(double(row.m_upper), most);
 		law.m_bound = static_cast<signed char>(joint.getRowBound(r));
 	};
-	const btRigidBody* const bodies[2] = {A.m_originalBody, B.m_originalBody};
-	const bool isUnit = (!bodies[0] || isFree(*bodies[0])) && (!bodies[1] || isFree(*bodies[1]));
-	if (isUnit)
+	const bool isUnit = isFree(A) && isFree(B);
+	isUnit ? addUnit(joint, ids) : addSingleRows(joint, ids);
+	for (int r = 0; r < joint.getNumRows(); ++r)
+		set(m_system.getLaw(direct.m_firstLaw + r), r);
+}
+
+void btElasticPlasticConstraintSolver::addUnit(const btElasticPlasticJoint& joint, const int solverBodies[2])
+{
+	const btElasticPlasticKinematics& k = joint.getKinematics();
+	btElasticPlasticSystem::Joint& unit = m_system.addJoint(joint.getNumRows());
+	for (int i = 0; i < 3; ++i)
 	{
-		btElasticPlasticSystem::Joint& unit = m_system.addJoint(joint.getNumRows());
-		for (int i = 0; i < 3; ++i)
-		{
-			for (int axis = 0; axis < 3; ++axis)
-				unit.m_axis[axis][i] = k.m_axis[axis][i];
-			unit.m_arm[0][i] = k.m_rA[i];
-			unit.m_arm[1][i] = k.m_rB[i];
-		}
-		for (int side = 0; side < 2; ++side)
-			unit.m_body[side] = m_index[ids[side]];
-		for (int r = 0; r < joint.getNumRows(); ++r)
-		{
-			unit.m_dof[r] = static_cast<signed char>(joint.getRowDof(r));
-			set(m_system.getLaw(unit.m_firstLaw + r), r);
-		}
-		return;
+		for (int axis = 0; axis < 3; ++axis)
+			unit.m_axis[axis][i] = k.m_axis[axis][i];
+		unit.m_arm[0][i] = k.m_rA[i];
+		unit.m_arm[1][i] = k.m_rB[i];
 	}
+	for (int side = 0; side < 2; ++side)
+		unit.m_body[side] = m_index[solverBodies[side]];
+	for (int r = 0; r < joint.getNumRows(); ++r)
+		unit.m_dof[r] = static_cast<signed char>(joint.getRowDof(r));
+}
+
+/// Bodies that may not move in every direction: their rows have less than a joint's Jacobian.
+void btElasticPlasticConstraintSolver::addSingleRows(const btElasticPlasticJoint& joint, const int solverBodies[2])
+{
+	const btElasticPlasticKinematics& k = joint.getKinematics();
+	const btVector3 none(0, 0, 0), arms[2] = {k.m_rA, k.m_rB};
 	for (int r = 0; r < joint.getNumRows(); ++r)
 	{
 		btElasticPlasticSystem::Row& row = m_system.addRow();
 		const int dof = joint.getRowDof(r);
 		for (int side = 0; side < 2; ++side)
 		{
-			const btVector3 axis = side == 0 ? k.m_axis[dof % 3] : -k.m_axis[dof % 3], zero(0, 0, 0), one(1, 1, 1);
-			const btRigidBody* const body = bodies[side];
-			copy(row.m_J + 6 * side, dof < 3 ? axis : zero, body ? body->getLinearFactor() : one);
-			copy(row.m_J + 6 * side + 3, dof < 3 ? (side == 0 ? k.m_rA : k.m_rB).cross(axis) : axis,
-				 body ? body->getAngularFactor() : one);
-			row.m_body[side] = m_index[ids[side]];
+			const btVector3 axis = side == 0 ? k.m_axis[dof % 3] : -k.m_axis[dof % 3];
+			const btSolverBody& body = m_tmpSolverBodyPool[solverBodies[side]];
+			copy(row.m_J + 6 * side, dof < 3 ? axis : none, body.m_linearFactor);
+			copy(row.m_J + 6 * side + 3, dof < 3 ? arms[side].cross(axis) : axis, body.m_angularFactor);
+			row.m_body[side] = m_index[solverBodies[side]];
 		}
-		set(m_system.getLaw(row.m_law), r);
 	}
 }
 
