@@ -53,8 +53,8 @@ std::vector<Settings> oursInBothClasses()
 		for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
 		{
 			all.emplace_back();
-			all.back().solver = solver;
-			all.back().jointClass = jointClass;
+			all.back().method.solver = solver;
+			all.back().method.jointClass = jointClass;
 		}
 	return all;
 }
@@ -171,7 +171,7 @@ TEST(BlockExact, IsTheSameTurnedAndEitherWayRound)
 				{
 					for (Settings* settings : {&fall, &reversal})
 					{
-						settings->jointClass = jointClass;
+						settings->method.jointClass = jointClass;
 						settings->blockFirst = blockFirst;
 						settings->turn = turn;
 						settings->bodyTurn = bodyTurn;

@@ -134,7 +134,7 @@ BlockUnderTension::Settings paperBlock(bool held)
 	settings.mass = settings.exactMass();
 	settings.ground = true;
 	settings.held = held;
-	settings.scheme = BT_EP_SCHEME_PAPER;
+	settings.method.joints = ep::Joints::Paper;
 	return settings;
 }
 
@@ -409,7 +409,7 @@ template <size_t numRows>
 void compareElasticPlastic(const TableRow (&table)[numRows], ep::JointClass jointClass)
 {
 	BlockUnderTension::Settings settings = paperBlock(true);
-	settings.jointClass = jointClass;
+	settings.method.jointClass = jointClass;
 	Recorded recorded(settings);
 	recorded.m_block.m_joint->getConstraint().setJointFeedback(&recorded.m_feedback);
 	compareJoint(table, recorded);
@@ -469,7 +469,7 @@ TEST(BlockUnderTension, TableIX)
 
 	// "1.28, 3.13, 4.07 mm" to print precision, with the rounded 6000 kg 4.06.
 	BlockUnderTension::Settings settings = paperBlock(true);
-	settings.jointClass = ep::JointClass::Spring;
+	settings.method.jointClass = ep::JointClass::Spring;
 	Recorded recorded(settings);
 	const double plastic[] = {0, 1.28e-3, 3.13e-3, 4.07e-3, 4.07e-3};
 	for (int i = 0; i < 5; ++i)

@@ -295,7 +295,7 @@ TEST(Constraint, KeepsTheUsersFeedback)
 double sag(Solver solver, int rate, double share)
 {
 	BlockUnderTension::Settings settings;
-	settings.solver = solver;
+	settings.method = solver;
 	settings.steelShare = btScalar(share);
 	BlockUnderTension block(settings);
 	block.m_block->setDamping(btScalar(0.99), btScalar(0.99));

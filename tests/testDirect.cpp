@@ -28,7 +28,7 @@ TEST(DirectAccuracy, CantileverSettlesAtItsStaticSag)
 			SCOPED_TRACE(testing::Message() << "class " << int(jointClass) << " parts " << parts);
 			Cantilever::Settings settings;
 			settings.member.parts = parts;
-			settings.member.jointClass = jointClass;
+			settings.method.jointClass = jointClass;
 			Cantilever cantilever(settings);
 			for (int i = 0; i < 60; ++i)
 				cantilever.m_world.step(FRAME);
@@ -97,7 +97,7 @@ TEST(DirectAccuracy, ChainHoldsAThousandTimesItsBlocks)
 	for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
 	{
 		HangingChain::Settings settings;
-		settings.member.jointClass = jointClass;
+		settings.method.jointClass = jointClass;
 		HangingChain chain(settings);
 		for (int i = 0; i < 120; ++i)
 			chain.m_world.step(FRAME);

@@ -20,7 +20,7 @@ BeamOnSupports::Settings::Settings()
 }
 
 BeamOnSupports::BeamOnSupports(const Settings& s)
-	: m_world(s.solver, btVector3(0, -s.gravity, 0)),
+	: m_world(s.method, btVector3(0, -s.gravity, 0)),
 	  m_member(m_world, s.member, at(0, s.member.height / 2), s.length),
 	  m_settings(s)
 {

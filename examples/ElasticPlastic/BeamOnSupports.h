@@ -11,7 +11,7 @@ struct BeamOnSupports
 {
 	struct Settings
 	{
-		Solver solver = Solver::Direct;
+		Method method = Solver::Direct;
 		btScalar length = 10;  ///< [m]
 		btScalar gravity = btScalar(9.81);
 		btScalar mass = 2000;           ///< of the dropped box [kg]; 0: none

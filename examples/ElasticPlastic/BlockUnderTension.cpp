@@ -3,7 +3,7 @@
 namespace ep
 {
 BlockUnderTension::BlockUnderTension(const Settings& s, std::unique_ptr<btConstraintSolver> solver)
-	: m_world(s.solver, quatRotate(s.turn, btVector3(0, -s.gravity, 0)), std::move(solver)),
+	: m_world(s.method, quatRotate(s.turn, btVector3(0, -s.gravity, 0)), std::move(solver)),
 	  m_down(quatRotate(s.turn, btVector3(0, -1, 0)))
 {
 	const btTransform turn(s.turn);
@@ -20,9 +20,8 @@ BlockUnderTension::BlockUnderTension(const Settings& s, std::unique_ptr<btConstr
 		btElasticPlasticMaterial::reinforcedConcrete(s.steelShare), btElasticPlasticSection::rectangle(1, 1), 0, 3);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		capacity.m_ductility[i] = i == BT_EP_AXIAL ? s.ductility : btElasticPlasticCapacity::unlimited();
-	m_joint = s.blockFirst ? m_world.joint(*m_block, *m_support, m_top, capacity, s.jointClass)
-						   : m_world.joint(*m_support, *m_block, m_top, capacity, s.jointClass);
-	m_joint->setScheme(s.scheme);
+	m_joint = s.blockFirst ? m_world.joint(*m_block, *m_support, m_top, capacity)
+						   : m_world.joint(*m_support, *m_block, m_top, capacity);
 }
 
 btScalar BlockUnderTension::sunk() const { return m_block->getCenterOfMassPosition().dot(m_down); }

@@ -12,9 +12,7 @@ struct BlockUnderTension
 {
 	struct Settings
 	{
-		Solver solver = Solver::Iterative;
-		JointClass jointClass = JointClass::Spring2;
-		btElasticPlasticScheme scheme = BT_EP_SCHEME_IMPLICIT;
+		Method method = Solver::Iterative;
 		btScalar mass = 6000;  ///< [kg]; the paper's text rounds exactMass() to this
 		btScalar steelShare = btScalar(0.0004);
 		btScalar ductility = btElasticPlasticCapacity::unlimited();  ///< of the axial degree of freedom [m]

@@ -15,7 +15,7 @@ Cantilever::Settings Cantilever::Settings::twentyBlocks()
 }
 
 Cantilever::Cantilever(const Settings& s)
-	: m_world(s.solver, quatRotate(s.turn, btVector3(0, -s.gravity, 0))),
+	: m_world(s.method, quatRotate(s.turn, btVector3(0, -s.gravity, 0))),
 	  m_support(m_world.body(0, m_world.box(btVector3(1, 1, 1)),
 							 btTransform(s.turn, quatRotate(s.turn, btVector3(btScalar(-0.5), 0, 0))), false)),
 	  m_member(m_world, s.member, btTransform(s.turn), s.length),

@@ -12,7 +12,7 @@ struct Cantilever
 {
 	struct Settings
 	{
-		Solver solver = Solver::Direct;
+		Method method = Solver::Direct;
 		btScalar length = 2;                           ///< [m]
 		btScalar gravity = btScalar(9.81);             ///< [m/s^2]
 		Member::Settings member;                       ///< default: 10 parts, 0.1 x 0.1 m

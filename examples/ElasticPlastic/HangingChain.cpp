@@ -15,7 +15,7 @@ HangingChain::Settings::Settings()
 }
 
 HangingChain::HangingChain(const Settings& s)
-	: m_world(s.solver, btVector3(0, -s.gravity, 0)),
+	: m_world(s.method, btVector3(0, -s.gravity, 0)),
 	  m_support(m_world.body(0, m_world.box(btVector3(1, 1, 1)),
 							 btTransform(btQuaternion(0, 0, 0, 1), btVector3(0, btScalar(0.5), 0)), false)),
 	  m_member(m_world, s.member, downwards(), s.length),

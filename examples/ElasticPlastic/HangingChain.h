@@ -10,7 +10,7 @@ struct HangingChain
 {
 	struct Settings
 	{
-		Solver solver = Solver::Direct;
+		Method method = Solver::Direct;
 		btScalar length = 3;         ///< [m]
 		btScalar gravity = 10;       ///< [m/s^2]
 		btScalar lastFactor = 1000;  ///< the last block's mass over the others'

@@ -18,7 +18,7 @@ struct LoadedBeam
 
 	struct Settings
 	{
-		Solver solver = Solver::Direct;
+		Method method = Solver::Direct;
 		Supports supports = Supports::Fixed;
 		btScalar length = 4;      ///< [m]
 		Member::Settings member;  ///< default: 10 parts, 0.1 x 0.1 m, 250 MPa; an even number has a joint at mid span

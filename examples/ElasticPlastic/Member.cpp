@@ -13,19 +13,19 @@ Member::Member(World& world, const Settings& settings, const btTransform& start,
 		m_parts.push_back(world.body(mass, shape, start * along(l * (i + btScalar(0.5))), settings.collides));
 		if (i > 0)
 		{
-			m_joints.push_back(world.joint(*m_parts[i - 1], *m_parts[i], node(i), capacity(l, l), settings.jointClass));
+			m_joints.push_back(world.joint(*m_parts[i - 1], *m_parts[i], node(i), capacity(l, l)));
 		}
 	}
 }
 
 btElasticPlasticJoint* Member::joinStart(World& world, btRigidBody& support)
 {
-	return world.joint(support, first(), node(0), capacity(0, m_partLength), m_settings.jointClass);
+	return world.joint(support, first(), node(0), capacity(0, m_partLength));
 }
 
 btElasticPlasticJoint* Member::joinEnd(World& world, btRigidBody& support)
 {
-	return world.joint(last(), support, node(m_settings.parts), capacity(m_partLength, 0), m_settings.jointClass);
+	return world.joint(last(), support, node(m_settings.parts), capacity(m_partLength, 0));
 }
 
 btElasticPlasticCapacity Member::capacity(btScalar lengthA, btScalar lengthB) const

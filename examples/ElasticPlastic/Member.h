@@ -16,7 +16,6 @@ struct Member
 		int parts = 10;
 		btScalar shapeShare = 1;  ///< of a part's length that its shape takes: less leaves gaps between colliding parts
 		bool collides = false;
-		JointClass jointClass = JointClass::Spring2;
 	};
 
 	/// \param start  pose of the member's beginning, x along the member

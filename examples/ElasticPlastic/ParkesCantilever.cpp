@@ -24,7 +24,7 @@ ParkesCantilever::Settings::Settings()
 }
 
 ParkesCantilever::ParkesCantilever(const Settings& s)
-	: m_world(s.solver, btVector3(0, 0, 0)),
+	: m_world(s.method, btVector3(0, 0, 0)),
 	  m_support(m_world.body(0, m_world.box(btVector3(1, 1, 1)), at(btScalar(-0.5)), false)),
 	  m_member(m_world, s.member, btTransform::getIdentity(), s.length),
 	  m_root(m_member.joinStart(m_world, *m_support)),
@@ -41,7 +41,7 @@ ParkesCantilever::ParkesCantilever(const Settings& s)
 	// The mass is fixed to the tip: nothing yields there.
 	btElasticPlasticCapacity tip = m_member.capacity(m_member.m_partLength, 0);
 	tip.scaleYield(100);
-	m_world.joint(m_member.last(), *m_mass, at(s.length), tip, s.member.jointClass);
+	m_world.joint(m_member.last(), *m_mass, at(s.length), tip);
 	m_mass->setLinearVelocity(btVector3(0, -s.velocity, 0));
 }
 

@@ -11,7 +11,7 @@ struct ParkesCantilever
 {
 	struct Settings
 	{
-		Solver solver = Solver::Direct;
+		Method method = Solver::Direct;
 		btScalar length = 1;               ///< L [m]
 		btScalar tipMass = btScalar(1.5);  ///< G [kg]
 		btScalar velocity = 25;            ///< V0, downwards [m/s]

@@ -21,7 +21,7 @@ PortalFrame::Settings::Settings()
 }
 
 PortalFrame::PortalFrame(const Settings& s)
-	: m_world(s.solver, btVector3(0, 0, 0)),
+	: m_world(s.method, btVector3(0, 0, 0)),
 	  m_ground(m_world.body(0, m_world.box(btVector3(2 * s.span, 1, 2)), pose(0, s.span / 2, btScalar(-0.5)), false)),
 	  m_leftColumn(m_world, s.member, pose(SIMD_HALF_PI, 0, 0), s.height),
 	  m_beam(m_world, s.member, pose(0, 0, s.height), s.span),
@@ -33,9 +33,8 @@ PortalFrame::PortalFrame(const Settings& s)
 	m_rightColumn.joinEnd(m_world, *m_ground);
 	// The frame of a corner is the beam's: which of the two members yields there makes no difference to Mp.
 	const btElasticPlasticCapacity corner = m_beam.capacity(m_leftColumn.m_partLength, m_beam.m_partLength);
-	m_leftCorner = m_world.joint(m_leftColumn.last(), m_beam.first(), m_beam.node(0), corner, s.member.jointClass);
-	m_rightCorner =
-		m_world.joint(m_beam.last(), m_rightColumn.first(), m_beam.node(s.member.parts), corner, s.member.jointClass);
+	m_leftCorner = m_world.joint(m_leftColumn.last(), m_beam.first(), m_beam.node(0), corner);
+	m_rightCorner = m_world.joint(m_beam.last(), m_rightColumn.first(), m_beam.node(s.member.parts), corner);
 }
 
 double PortalFrame::collapseFactor(double vertical, double horizontal) const

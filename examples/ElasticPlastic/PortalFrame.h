@@ -11,7 +11,7 @@ struct PortalFrame
 {
 	struct Settings
 	{
-		Solver solver = Solver::Direct;
+		Method method = Solver::Direct;
 		btScalar span = 4;    ///< L [m]
 		btScalar height = 3;  ///< h [m]
 		Member::Settings

@@ -7,9 +7,9 @@
 
 namespace ep
 {
-std::unique_ptr<btConstraintSolver> World::makeSolver(Solver solver)
+std::unique_ptr<btConstraintSolver> World::makeSolver()
 {
-	switch (solver)
+	switch (m_method.solver)
 	{
 		case Solver::Stock:
 			return std::make_unique<btSequentialImpulseConstraintSolver>();
@@ -23,17 +23,18 @@ std::unique_ptr<btConstraintSolver> World::makeSolver(Solver solver)
 			break;
 	}
 	auto ours = std::make_unique<btElasticPlasticConstraintSolver>();
-	ours->setForm(solver == Solver::Direct ? BT_EP_DIRECT : BT_EP_ITERATIVE);
+	ours->setForm(m_method.solver == Solver::Direct ? BT_EP_DIRECT : BT_EP_ITERATIVE);
 	return ours;
 }
 
-World::World(Solver solver, const btVector3& gravity, std::unique_ptr<btConstraintSolver> own)
-	: m_dispatcher(&m_configuration), m_solver(std::move(own))
+World::World(const Method& method, const btVector3& gravity, std::unique_ptr<btConstraintSolver> own)
+	: m_method(method), m_dispatcher(&m_configuration), m_solver(std::move(own))
 {
 	if (!m_solver)
-		m_solver = makeSolver(solver);
+		m_solver = makeSolver();
 	m_world.reset(new btDiscreteDynamicsWorld(&m_dispatcher, &m_broadphase, m_solver.get(), &m_configuration));
 	m_world->setGravity(gravity);
+	m_world->getSolverInfo().m_numIterations = method.iterations;
 	m_world->addAction(&m_action);
 }
 
@@ -72,23 +73,65 @@ btElasticPlasticJoint* World::joint(btRigidBody& a, btRigidBody& b, const btTran
 {
 	const btTransform inA = a.getCenterOfMassTransform().inverse() * frame,
 					  inB = b.getCenterOfMassTransform().inverse() * frame;
-	btElasticPlasticJoint* joint = nullptr;
+	btElasticPlasticJoint* joint;
 	if (jointClass == JointClass::Spring)
+		joint = new btElasticPlastic6DofSpringConstraint(a, b, inA, inB);
+	else
+		joint = new btElasticPlastic6DofSpring2Constraint(a, b, inA, inB);
+	joint->setCapacity(capacity);
+	m_joints.push_back(joint);
+	if (m_method.joints == Joints::Fixed || m_method.joints == Joints::Springs)
 	{
-		auto* constraint = new btElasticPlastic6DofSpringConstraint(a, b, inA, inB);
-		joint = constraint;
-		add(constraint);
+		m_aside.emplace_back(&joint->getConstraint());
+		add(m_inPlaceOf[joint] = makeBulletsOwn(a, b, frame, capacity));
+		return joint;
 	}
+	joint->setScheme(m_method.joints == Joints::Paper ? BT_EP_SCHEME_PAPER : BT_EP_SCHEME_IMPLICIT);
+	add(&joint->getConstraint());
+	m_action.addJoint(joint);
+	return joint;
+}
+
+btTypedConstraint* World::makeBulletsOwn(btRigidBody& a, btRigidBody& b, const btTransform& frame,
+										 const btElasticPlasticCapacity& capacity) const
+{
+	const btTransform inA = a.getCenterOfMassTransform().inverse() * frame,
+					  inB = b.getCenterOfMassTransform().inverse() * frame;
+	if (m_method.joints == Joints::Fixed)
+		return new btFixedConstraint(a, b, inA, inB);
+	auto* springs = new btGeneric6DofSpring2Constraint(a, b, inA, inB);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		springs->setLimit(i, 1, -1);
+		if (!capacity.isElasticPlastic(i))
+			continue;
+		if (capacity.isRigidPlastic(i))
+		{
+			springs->setLimit(i, 0, 0);
+			continue;
+		}
+		springs->enableSpring(i, true);
+		springs->setStiffness(i, capacity.m_stiffness[i]);
+	}
+	return springs;
+}
+
+void World::release(btElasticPlasticJoint& joint, int dof)
+{
+	btElasticPlasticCapacity capacity = joint.getCapacity();
+	capacity.clear(dof);
+	joint.setCapacity(capacity);
+	// In Bullet's class too: there translations are locked unless told otherwise. A fixed joint is a locked spring.
+	const auto own = m_inPlaceOf.find(&joint);
+	btTypedConstraint& constraint = own == m_inPlaceOf.end() ? joint.getConstraint() : *own->second;
+	if (constraint.getConstraintType() == D6_SPRING_CONSTRAINT_TYPE)
+		static_cast<btGeneric6DofSpringConstraint&>(constraint).setLimit(dof, 1, -1);
 	else
 	{
-		auto* constraint = new btElasticPlastic6DofSpring2Constraint(a, b, inA, inB);
-		joint = constraint;
-		add(constraint);
+		auto& springs = static_cast<btGeneric6DofSpring2Constraint&>(constraint);
+		springs.enableSpring(dof, false);
+		springs.setLimit(dof, 1, -1);
 	}
-	joint->setCapacity(capacity);
-	m_action.addJoint(joint);
-	m_joints.push_back(joint);
-	return joint;
 }
 
 void World::add(btTypedConstraint* constraint, bool disableCollisions)

@@ -1,6 +1,7 @@
 #ifndef EP_WORLD_H
 #define EP_WORLD_H
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -29,12 +30,32 @@ enum class JointClass
 	Spring2  ///< btElasticPlastic6DofSpring2Constraint
 };
 
+/// What holds bodies together.
+enum class Joints
+{
+	ElasticPlastic,  ///< ours, default scheme
+	Paper,           ///< ours, the paper's scheme
+	Fixed,           ///< btFixedConstraint
+	Springs          ///< btGeneric6DofSpring2Constraint: springs of the same stiffness, which never yield
+};
+
+/// How a scene is solved: what comparisons vary, but for the step.
+struct Method
+{
+	Solver solver = Solver::Iterative;
+	Joints joints = Joints::ElasticPlastic;
+	JointClass jointClass = JointClass::Spring2;
+	int iterations = 10;  ///< of iterative solvers, Bullet's default
+
+	Method(Solver s) : solver(s) {}
+};
+
 /// A Bullet world with its parts, its elastic-plastic action, and all that scenes add to it. Owns everything.
 class World
 {
 public:
-	/// \param own  a solver in place of the named one, null: that one
-	explicit World(Solver solver = Solver::Iterative, const btVector3& gravity = btVector3(0, -10, 0),
+	/// \param own  a solver in place of the method's, null: that one
+	explicit World(const Method& method = Solver::Iterative, const btVector3& gravity = btVector3(0, -10, 0),
 				   std::unique_ptr<btConstraintSolver> own = nullptr);
 	~World();
 	World(const World&) = delete;
@@ -55,9 +76,19 @@ public:
 	/// Adds a body, mass 0 is static. Without damping and never asleep: reference problems want nothing but their physics.
 	btRigidBody* body(btScalar mass, btCollisionShape* shape, const btTransform& pose, bool collides = true);
 
-	/// Joins two bodies at a frame given in world coordinates and takes the joint into the action's books.
+	/// Joins two bodies at a frame given in world coordinates, x along the member, by the method's joints.
+	/// \return the joint, in the action's books; where one of Bullet's takes its place, it is not in the world and only tells
+	/// its capacity
 	btElasticPlasticJoint* joint(btRigidBody& a, btRigidBody& b, const btTransform& frame,
-								 const btElasticPlasticCapacity& capacity, JointClass jointClass = JointClass::Spring2);
+								 const btElasticPlasticCapacity& capacity)
+	{
+		return joint(a, b, frame, capacity, m_method.jointClass);
+	}
+	btElasticPlasticJoint* joint(btRigidBody& a, btRigidBody& b, const btTransform& frame,
+								 const btElasticPlasticCapacity& capacity, JointClass jointClass);
+
+	/// Lets a degree of freedom of a joint go.
+	void release(btElasticPlasticJoint& joint, int dof);
 
 	/// Keeps a constraint and adds it to the world.
 	void add(btTypedConstraint* constraint, bool disableCollisions = true);
@@ -72,8 +103,11 @@ public:
 	double kineticEnergy() const;
 
 private:
-	std::unique_ptr<btConstraintSolver> makeSolver(Solver solver);
+	std::unique_ptr<btConstraintSolver> makeSolver();
+	btTypedConstraint* makeBulletsOwn(btRigidBody& a, btRigidBody& b, const btTransform& frame,
+									  const btElasticPlasticCapacity& capacity) const;
 
+	Method m_method;
 	btDefaultCollisionConfiguration m_configuration;
 	btCollisionDispatcher m_dispatcher;
 	btDbvtBroadphase m_broadphase;
@@ -84,6 +118,8 @@ private:
 	std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
 	std::vector<std::unique_ptr<btRigidBody>> m_bodies;
 	std::vector<std::unique_ptr<btTypedConstraint>> m_constraints;
+	std::vector<std::unique_ptr<btTypedConstraint>> m_aside;                 // joints that are not in the world
+	std::map<const btElasticPlasticJoint*, btTypedConstraint*> m_inPlaceOf;  // Bullet's own joints
 	std::vector<btElasticPlasticJoint*> m_joints;
 };
 }  // namespace ep
