@@ -12,6 +12,7 @@
 namespace
 {
 using ep::BlockUnderTension;
+using ep::ExactOscillator;
 using ep::JointClass;
 typedef BlockUnderTension::Settings Settings;
 

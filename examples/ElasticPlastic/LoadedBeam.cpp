@@ -32,4 +32,18 @@ double LoadedBeam::collapseLoad() const
 	const int hinges = m_settings.supports == Supports::Fixed ? 8 : m_settings.supports == Supports::Propped ? 6 : 4;
 	return hinges * plasticMoment() / double(m_settings.length);
 }
+
+double LoadedBeam::uniformCollapseLoad() const
+{
+	const double factor = m_settings.supports == Supports::Fixed     ? 16
+						  : m_settings.supports == Supports::Propped ? 6 + 4 * sqrt(2.)
+																	 : 8;
+	return factor * plasticMoment() / double(m_settings.length * m_settings.length);
+}
+
+void LoadedBeam::loadUniformly(double forcePerLength)
+{
+	for (btRigidBody* part : m_member.m_parts)
+		part->applyCentralForce(btVector3(0, btScalar(-forcePerLength) * m_member.m_partLength, 0));
+}
 }  // namespace ep

@@ -5,8 +5,8 @@
 
 namespace ep
 {
-/// A steel beam under a load at mid span, without weight: limit analysis says that it collapses at 8, 6 or 4 Mp/L. The right
-/// end is free to slide lengthwise, or else the beam would hang on as a cable.
+/// A steel beam under a load at mid span, without weight: limit analysis says that it collapses at 8, 6 or 4 Mp/L; under a
+/// uniform one at 16, 11.66 or 8 Mp/L^2. The right end is free to slide lengthwise, or else the beam would hang on as a cable.
 struct LoadedBeam
 {
 	enum class Supports
@@ -36,6 +36,10 @@ struct LoadedBeam
 
 	/// Puts a force on mid span, downwards, for the next step [N].
 	void load(double force) { loadJoint(*m_middle, btVector3(0, btScalar(-force), 0)); }
+
+	/// The same for a load spread evenly [N/m]: 16, 6 + 4 sqrt(2), 8 Mp/L^2.
+	double uniformCollapseLoad() const;
+	void loadUniformly(double forcePerLength);
 
 	/// How far mid span has sunk [m].
 	btScalar sag() const { return -m_middle->getPosition().y(); }

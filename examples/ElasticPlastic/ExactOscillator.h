@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace ep
+{
 /// A mass on an elastic-perfectly plastic spring under a force that is constant for a while: the exact motion, phase by phase.
 /// Elastic: u = x - plastic - force/k swings as R cos(w t - phi); plastic: constant acceleration until it stands.
 struct ExactOscillator
@@ -69,5 +71,6 @@ private:
 		return t;
 	}
 };
+}  // namespace ep
 
 #endif  // EP_EXACT_OSCILLATOR_H

@@ -1,0 +1,63 @@
+#include "Problem.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "problemsOfBars.h"
+#include "problemsOfBeams.h"
+#include "problemsOfBlows.h"
+
+namespace ep
+{
+double Quantity::error() const { return std::isfinite(value) ? std::fabs(value / exact - 1) : HUGE_VAL; }
+
+void Run::substep(btScalar dt)
+{
+	if (!m_isBegun)
+	{
+		m_energy = m_most = m_world.kineticEnergy();
+		m_isBegun = true;
+	}
+	m_audit.begin();
+	const auto begin = std::chrono::steady_clock::now();
+	m_world.step(dt);
+	m_outcome.runTime += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+	const double energy = m_audit.end(dt);
+	m_created += std::max(0., energy - m_energy);
+	m_energy = energy;
+	m_most = std::max(m_most, m_world.kineticEnergy());
+	for (const btElasticPlasticJoint* joint : m_world.joints())
+		m_most = std::max(m_most, joint->getWork());
+	m_time += double(dt);
+	m_outcome.simulated += double(dt);
+}
+
+Run::~Run()
+{
+	// Of several runs the worst.
+	const double created = m_most > 0 ? m_created / m_most : 0;
+	if (!(created <= m_outcome.energyCreated))
+		m_outcome.energyCreated = created;
+}
+
+const std::vector<Problem>& problems()
+{
+	static const std::vector<Problem> all = []
+	{
+		std::vector<Problem> list;
+		for (const auto& group : {problemsOfBars(), problemsOfBeams(), problemsOfBlows()})
+			list.insert(list.end(), group.begin(), group.end());
+		return list;
+	}();
+	return all;
+}
+
+const Problem* findProblem(const std::string& name)
+{
+	for (const Problem& problem : problems())
+		if (name == problem.name)
+			return &problem;
+	return nullptr;
+}
+}  // namespace ep

@@ -1,0 +1,99 @@
+#ifndef EP_PROBLEM_H
+#define EP_PROBLEM_H
+
+#include <string>
+#include <vector>
+
+#include "EnergyAudit.h"
+#include "World.h"
+
+namespace ep
+{
+/// What a problem is judged by.
+struct Quantity
+{
+	std::string name;  ///< with its unit
+	double value, exact;
+
+	/// Relative error; infinite where there is no number.
+	double error() const;
+};
+
+/// What a method makes of a problem.
+struct Outcome
+{
+	std::vector<Quantity> quantities;
+	double runTime = 0;    ///< of the steps alone [s]
+	double simulated = 0;  ///< [s]
+	double energyCreated =
+		0;  ///< sum of what the audited energy rose by [J], over the most that it was, kinetic energy included
+
+	/// Of the first quantity, which the problem is named for.
+	double error() const { return quantities.front().error(); }
+};
+
+/// How finely a problem is stepped.
+struct Stepping
+{
+	double step = 1. / 60;  ///< [s]
+	int substeps = 1;
+};
+
+/// Steps a world, and keeps account of time and energy.
+class Run
+{
+public:
+	Run(World& world, const Stepping& stepping, Outcome& outcome)
+		: m_world(world), m_stepping(stepping), m_outcome(outcome), m_audit(world)
+	{
+	}
+	~Run();
+
+	/// A step. Bullet takes loads off at the end of each substep: load() puts them on at its beginning.
+	template <class Load>
+	void step(const Load& load)
+	{
+		for (int i = 0; i < m_stepping.substeps; ++i)
+		{
+			load();
+			substep(btScalar(m_stepping.step / m_stepping.substeps));
+		}
+	}
+	void step()
+	{
+		step([] {});
+	}
+
+	/// Steps until a time [s], hit within half a step, that comes after the present one.
+	int stepsUntil(double time) const { return int((time - m_time) / m_stepping.step + 0.5); }
+	double time() const { return m_time; }
+	double dt() const { return m_stepping.step; }
+
+private:
+	void substep(btScalar dt);
+
+	World& m_world;
+	Stepping m_stepping;
+	Outcome& m_outcome;
+	EnergyAudit m_audit;
+	double m_time = 0, m_energy = 0, m_most = 0, m_created = 0;
+	bool m_isBegun = false;
+};
+
+/// A reference problem with an exact answer.
+struct Problem
+{
+	const char* name;
+	const char* what;
+	const char* source;  ///< of the exact answer
+	Outcome (*solve)(const Method& method, const Stepping& stepping);
+};
+
+/// All of them.
+const std::vector<Problem>& problems();
+
+/// \return null if there is none of that name
+const Problem* findProblem(const std::string& name);
+}  // namespace ep
+
+#endif  // EP_PROBLEM_H

@@ -1,0 +1,12 @@
+#ifndef EP_PROBLEMS_OF_BARS_H
+#define EP_PROBLEMS_OF_BARS_H
+
+#include "Problem.h"
+
+namespace ep
+{
+/// One degree of freedom: pulled, twisted and bent to and fro, broken.
+std::vector<Problem> problemsOfBars();
+}  // namespace ep
+
+#endif  // EP_PROBLEMS_OF_BARS_H

@@ -1,0 +1,12 @@
+#ifndef EP_PROBLEMS_OF_BEAMS_H
+#define EP_PROBLEMS_OF_BEAMS_H
+
+#include "Problem.h"
+
+namespace ep
+{
+/// Structures that carry a load, up to their collapse.
+std::vector<Problem> problemsOfBeams();
+}  // namespace ep
+
+#endif  // EP_PROBLEMS_OF_BEAMS_H

@@ -1,0 +1,12 @@
+#ifndef EP_PROBLEMS_OF_BLOWS_H
+#define EP_PROBLEMS_OF_BLOWS_H
+
+#include "Problem.h"
+
+namespace ep
+{
+/// Motion that plastic hinges stop.
+std::vector<Problem> problemsOfBlows();
+}  // namespace ep
+
+#endif  // EP_PROBLEMS_OF_BLOWS_H
