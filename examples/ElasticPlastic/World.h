@@ -61,6 +61,7 @@ public:
 	World(const World&) = delete;
 	World& operator=(const World&) = delete;
 
+	const Method& method() const { return m_method; }
 	btDiscreteDynamicsWorld& bullet() { return *m_world; }
 	btElasticPlasticAction& action() { return m_action; }
 

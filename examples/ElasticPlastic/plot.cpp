@@ -12,7 +12,7 @@ namespace ep
 namespace
 {
 /// Told apart by people with any colour vision (Okabe and Ito).
-const char* const COLORS[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"};
+const char* const COLORS[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#666666", "#000000"};
 const int NUM_COLORS = int(sizeof COLORS / sizeof *COLORS);
 
 const double WIDTH = 860, HEIGHT = 420, LEFT = 74, RIGHT = 250, TOP = 44, BOTTOM = 58;
@@ -158,18 +158,38 @@ std::string Plot::svg() const
 		const char* const dash = curve.m_style == DASHED   ? " stroke-dasharray=\"7 4\""
 								 : curve.m_style == DOTTED ? " stroke-dasharray=\"2 3\""
 														   : "";
-		out << "<polyline fill=\"none\" stroke=\"" << color << "\" stroke-width=\"2\"" << dash << " points=\"";
-		for (const auto& point : curve.m_points)
-			if (x.accepts(point.first) && y.accepts(point.second))
-				out << number(x.at(point.first)) << "," << number(y.at(point.second)) << " ";
-		out << "\"/>\n";
-		for (const auto& point : curve.m_points)
-			if (curve.m_style == SOLID && curve.m_points.size() < 40 && x.accepts(point.first) &&
-				y.accepts(point.second))
-				out << "<circle cx=\"" << number(x.at(point.first)) << "\" cy=\"" << number(y.at(point.second))
-					<< "\" r=\"3\" fill=\"" << color << "\"/>\n";
-		out << "<line x1=\"" << WIDTH - RIGHT + 14 << "\" y1=\"" << legend - 4 << "\" x2=\"" << WIDTH - RIGHT + 42
-			<< "\" y2=\"" << legend - 4 << "\" stroke=\"" << color << "\" stroke-width=\"2\"" << dash << "/>\n";
+		const bool hasLine = curve.m_style != MARKS && curve.m_style != RINGS;
+		if (hasLine)
+		{
+			out << "<polyline fill=\"none\" stroke=\"" << color << "\" stroke-width=\"2\"" << dash << " points=\"";
+			for (const auto& point : curve.m_points)
+				if (x.accepts(point.first) && y.accepts(point.second))
+					out << number(x.at(point.first)) << "," << number(y.at(point.second)) << " ";
+			out << "\"/>\n";
+		}
+		const bool hasMarks = !hasLine || (curve.m_style == SOLID && curve.m_points.size() < 40);
+		for (size_t i = 0; hasMarks && i < curve.m_points.size(); ++i)
+		{
+			const auto& point = curve.m_points[i];
+			if (!x.accepts(point.first) || !y.accepts(point.second))
+				continue;
+			out << "<circle cx=\"" << number(x.at(point.first)) << "\" cy=\"" << number(y.at(point.second)) << "\"";
+			if (curve.m_style == RINGS)
+				out << " r=\"6\" fill=\"none\" stroke=\"" << color << "\" stroke-width=\"1.5\"";
+			else
+				out << " r=\"3\" fill=\"" << color << "\"";
+			if (i < curve.m_tips.size())
+				out << "><title>" << escaped(curve.m_tips[i]) << "</title></circle>\n";
+			else
+				out << "/>\n";
+		}
+		if (!hasLine)
+			out << "<circle cx=\"" << WIDTH - RIGHT + 28 << "\" cy=\"" << legend - 4
+				<< (curve.m_style == RINGS ? "\" r=\"6\" fill=\"none\" stroke=\"" : "\" r=\"4\" fill=\"") << color
+				<< "\"/>\n";
+		else
+			out << "<line x1=\"" << WIDTH - RIGHT + 14 << "\" y1=\"" << legend - 4 << "\" x2=\"" << WIDTH - RIGHT + 42
+				<< "\" y2=\"" << legend - 4 << "\" stroke=\"" << color << "\" stroke-width=\"2\"" << dash << "/>\n";
 		text(out, WIDTH - RIGHT + 50, legend, "start", curve.m_name);
 		legend += 19;
 	}

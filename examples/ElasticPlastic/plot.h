@@ -14,14 +14,17 @@ struct Plot
 	{
 		SOLID,  ///< with a mark at each point if they are few
 		DASHED,
-		DOTTED
+		DOTTED,
+		MARKS,  ///< no line
+		RINGS   ///< the same, larger and open
 	};
 	struct Curve
 	{
 		std::string m_name;
 		std::vector<std::pair<double, double>> m_points;
 		Style m_style = SOLID;
-		int m_color = -1;  ///< of the palette, -1: the next one
+		int m_color = -1;                 ///< of the palette, -1: the next one
+		std::vector<std::string> m_tips;  ///< per point, shown under the mouse; may be empty
 	};
 
 	std::string m_title, m_xLabel, m_yLabel;

@@ -1,0 +1,16 @@
+#ifndef EP_REPORT_HTML_H
+#define EP_REPORT_HTML_H
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "Records.h"
+
+namespace ep
+{
+/// The report as one page, plots inside. \param stamp  names and values: machine, compiler, versions, date
+std::string htmlOf(const std::vector<Record>& records, const std::vector<std::pair<std::string, std::string>>& stamp);
+}  // namespace ep
+
+#endif  // EP_REPORT_HTML_H

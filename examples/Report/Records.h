@@ -1,0 +1,34 @@
+#ifndef EP_REPORT_RECORDS_H
+#define EP_REPORT_RECORDS_H
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace ep
+{
+/// A line of the report: what a method made of a quantity.
+struct Record
+{
+	std::string problem, quantity, solver, scheme, jointClass, precision;
+	double dt, value, exact, error, runTime, simulated, energyAudit;  ///< infinite or not a number where there is none
+	int substeps, iterations;
+
+	/// Time it takes per simulated second.
+	double cost() const { return runTime / simulated; }
+	/// Default scheme: the solver; else the scheme.
+	std::string family() const { return scheme == "default" ? solver : scheme; }
+	/// In words that a user can follow.
+	std::string setting() const;
+};
+
+/// All records in the files of a folder, in the order of the files' names. Throws std::runtime_error naming a file that
+/// cannot be read.
+nlohmann::json mergeRecords(const std::string& folder);
+
+std::vector<Record> recordsOf(const nlohmann::json& json);
+
+std::string csvOf(const nlohmann::json& json);
+}  // namespace ep
+
+#endif  // EP_REPORT_RECORDS_H

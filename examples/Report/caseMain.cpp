@@ -1,0 +1,107 @@
+// ep-report-case: computes one case of the report and writes its records as JSON. The report starts it; the precision is
+// that of the Bullet it is linked with.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "Methods.h"
+#include "Problem.h"
+
+namespace
+{
+using nlohmann::json;
+
+struct Options
+{
+	std::string problem, out;
+	ep::Stepping stepping;
+	int rate = 60, repeats = 3;
+	bool quick = false;
+};
+
+#ifdef BT_USE_DOUBLE_PRECISION
+const char* const PRECISION = "double";
+#else
+const char* const PRECISION = "float";
+#endif
+
+json numberOrNull(double value) { return std::isfinite(value) ? json(value) : json(); }
+
+json recordsOf(const Options& o, const ep::Problem& problem)
+{
+	const std::vector<ep::Method> methods = ep::methodsToCompare(o.quick);
+	std::vector<ep::Outcome> outcomes(methods.size());
+	std::vector<std::vector<double>> times(methods.size());
+	for (int round = 0; round < o.repeats; ++round)
+		for (size_t m = 0; m < methods.size(); ++m)
+		{
+			// What takes seconds needs no median.
+			if (round > 0 && times[m][0] > 1)
+				continue;
+			outcomes[m] = problem.solve(methods[m], o.stepping);
+			times[m].push_back(outcomes[m].runTime);
+		}
+	json records = json::array();
+	for (size_t m = 0; m < methods.size(); ++m)
+	{
+		std::sort(times[m].begin(), times[m].end());
+		for (const ep::Quantity& quantity : outcomes[m].quantities)
+			records.push_back({{"problem", problem.name},
+							   {"quantity", quantity.name},
+							   {"dt_s", o.stepping.step},
+							   {"substeps", o.stepping.substeps},
+							   {"solver", ep::nameOf(methods[m].solver)},
+							   {"iterations", methods[m].iterations},
+							   {"scheme", ep::nameOf(methods[m].joints)},
+							   {"joint_class", ep::nameOf(methods[m].jointClass)},
+							   {"precision", PRECISION},
+							   {"value", numberOrNull(quantity.value)},
+							   {"exact", quantity.exact},
+							   {"error", numberOrNull(quantity.error())},
+							   {"run_time_s", times[m][times[m].size() / 2]},
+							   {"simulated_s", outcomes[m].simulated},
+							   {"energy_audit", numberOrNull(outcomes[m].energyCreated)}});
+	}
+	return records;
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+	Options o;
+	CLI::App app("One case of the report, as JSON");
+	app.add_option("--problem", o.problem, "Name of the problem")->required();
+	app.add_option("--rate", o.rate, "Steps per second")->check(CLI::Range(1, 1000000))->capture_default_str();
+	app.add_option("--substeps", o.stepping.substeps, "Substeps of each step")
+		->check(CLI::Range(1, 10000))
+		->capture_default_str();
+	app.add_option("--repeats", o.repeats, "Runs of which the median time counts")
+		->check(CLI::Range(1, 1000))
+		->capture_default_str();
+	app.add_flag("--quick", o.quick, "Few methods");
+	app.add_option("--out", o.out, "File to write")->required();
+	CLI11_PARSE(app, argc, argv);
+	o.stepping.step = 1. / o.rate;
+	const ep::Problem* const problem = ep::findProblem(o.problem);
+	if (!problem)
+	{
+		std::cerr << "ep-report-case: there is no problem '" << o.problem << "'; there are:";
+		for (const ep::Problem& p : ep::problems())
+			std::cerr << " " << p.name;
+		std::cerr << "\n";
+		return 1;
+	}
+	std::ofstream file(o.out);
+	file << recordsOf(o, *problem).dump(1) << "\n";
+	file.close();
+	if (!file)
+	{
+		std::cerr << "ep-report-case: cannot write '" << o.out << "'\n";
+		return 1;
+	}
+	return 0;
+}

@@ -1,0 +1,151 @@
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include "Html.h"
+#include "LinearMath/btScalar.h"
+#include "Problem.h"
+#include "Records.h"
+#include "Runner.h"
+#include "plot.h"
+
+namespace
+{
+namespace fs = std::filesystem;
+
+struct Options
+{
+	std::string out = "report", shard;
+	std::vector<std::string> problems;
+	int jobs = 1, repeats = 3;
+	bool quick = false, list = false, merge = false;
+};
+
+std::vector<std::string> allProblems()
+{
+	std::vector<std::string> names;
+	for (const ep::Problem& problem : ep::problems())
+		names.push_back(problem.name);
+	return names;
+}
+
+/// The programs beside this one, by precision.
+std::map<std::string, std::string> programsBeside(const char* self)
+{
+	std::error_code none;
+	fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
+	if (folder.empty())
+		folder = fs::absolute(self).parent_path();
+	std::map<std::string, std::string> programs;
+	for (const auto& [precision, name] :
+		 {std::pair("float", "ep-report-case"), std::pair("double", "ep-report-case-float64")})
+		if (fs::exists(folder / name))
+			programs[precision] = (folder / name).string();
+	if (programs.empty())
+		throw std::runtime_error("there is no ep-report-case beside this program in " + folder.string() + ": build it");
+	return programs;
+}
+
+/// "i/n": every n-th case from the i-th, 1 to n.
+std::vector<ep::Case> shardOf(const std::vector<ep::Case>& cases, const std::string& shard)
+{
+	if (shard.empty())
+		return cases;
+	int i = 0, n = 0;
+	char rest;
+	if (sscanf(shard.c_str(), "%d/%d%c", &i, &n, &rest) != 2 || n < 1 || i < 1 || i > n)
+		throw std::runtime_error("--shard is '" + shard + "'; it must be i/n with 1 <= i <= n, such as 3/8");
+	std::vector<ep::Case> mine;
+	for (size_t k = i - 1; k < cases.size(); k += n)
+		mine.push_back(cases[k]);
+	return mine;
+}
+
+std::string processor()
+{
+	std::ifstream file("/proc/cpuinfo");
+	for (std::string line; std::getline(file, line);)
+		if (line.rfind("model name", 0) == 0)
+			return line.substr(line.find(':') + 2);
+	return "unknown";
+}
+
+std::string today()
+{
+	const std::time_t now = std::time(nullptr);
+	char text[32];
+	std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", std::localtime(&now));
+	return text;
+}
+
+void run(const Options& o, const char* self)
+{
+	ep::RunnerSettings settings;
+	settings.programs = programsBeside(self);
+	settings.folder = (fs::path(o.out) / "cases").string();
+	settings.jobs = o.jobs;
+	settings.quick = o.quick;
+	settings.repeats = o.quick ? 1 : o.repeats;
+	std::vector<std::string> precisions;
+	for (const auto& program : settings.programs)
+		precisions.push_back(program.first);
+	const std::vector<ep::Case> cases =
+		shardOf(ep::casesOf(o.problems.empty() ? allProblems() : o.problems, precisions, o.quick), o.shard);
+	const int failed = ep::runCases(cases, settings);
+
+	const nlohmann::json json = ep::mergeRecords(settings.folder);
+	const fs::path out(o.out);
+	ep::writeText((out / "report.json").string(), json.dump(1) + "\n");
+	ep::writeText((out / "report.csv").string(), ep::csvOf(json));
+	const std::vector<std::pair<std::string, std::string>> stamp = {
+		{"Processor", processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads"},
+		{"Compiler", __VERSION__},
+		{"Bullet", std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100)},
+		{"Date", today()},
+		{"Records", std::to_string(json.size())},
+	};
+	ep::writeText((out / "report.html").string(), ep::htmlOf(ep::recordsOf(json), stamp));
+	std::cout << "Report in " << (out / "report.html").string() << "\n";
+	if (failed > 0)
+		throw std::runtime_error(std::to_string(failed) + " cases failed: see the .failed files in " + settings.folder);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+	Options o;
+	CLI::App app("Error against run time: every reference problem by every method");
+	app.add_option("--out", o.out, "Folder for the report; a report begun there goes on")->capture_default_str();
+	app.add_flag("--quick", o.quick, "Few steps and methods: some minutes");
+	app.add_option("--problem", o.problems, "Only this problem; may be given several times")
+		->check(CLI::IsMember(allProblems()));
+	app.add_option("--jobs", o.jobs, "Cases computed at the same time; 1 for times that can be trusted")
+		->check(CLI::Range(1, 1024))
+		->capture_default_str();
+	app.add_option("--shard", o.shard, "i/n: only every n-th case from the i-th; the same folder collects all shards");
+	app.add_option("--repeats", o.repeats, "Runs of which the median time counts")
+		->check(CLI::Range(1, 1000))
+		->capture_default_str();
+	app.add_flag("--list", o.list, "Tells the problems");
+	CLI11_PARSE(app, argc, argv);
+	if (o.list)
+	{
+		for (const ep::Problem& problem : ep::problems())
+			std::cout << problem.name << ": " << problem.what << " (exact by " << problem.source << ")\n";
+		return 0;
+	}
+	try
+	{
+		run(o, argv[0]);
+	}
+	catch (const std::exception& error)
+	{
+		std::cerr << "ep-report: " << error.what() << "\n";
+		return 1;
+	}
+	return 0;
+}
