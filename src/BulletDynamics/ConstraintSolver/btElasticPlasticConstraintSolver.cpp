@@ -228,7 +228,7 @@ btScalar btElasticPlasticConstraintSolver::solveGroupCacheFriendlyIterations(
 {
 	if (m_directJoints.size() > 0)
 	{
-		if (solveDirectly())
+		if (solveDirectly(info))
 		{
 			solveGroupCacheFriendlySplitImpulseIterations(bodies, numBodies, manifolds, numManifolds, constraints,
 														  numConstraints, info, debugDrawer);

@@ -102,14 +102,15 @@ private:
 	};
 
 	void convertToUnits(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
-	bool solveDirectly();
+	bool solveDirectly(const btContactSolverInfo& info);
 	void fallBack(btTypedConstraint * *constraints, int numConstraints, const btContactSolverInfo& info);
 	void addBodies();
 	void addJoint(btElasticPlasticJoint & joint, const btContactSolverInfo& info);
 	void addUnit(const btElasticPlasticJoint& joint, const int solverBodies[2]);
 	void addSingleRows(const btElasticPlasticJoint& joint, const int solverBodies[2]);
 	btElasticPlasticSystem::Row& addRow(const btSolverConstraint& row);
-	void addContacts();
+	btElasticPlasticSystem::Row& addContactRow(const btSolverConstraint& row);
+	void addContacts(bool hasTwoDirections);
 	void takeResult();
 	void giveJointsTheirImpulses();
 
@@ -122,6 +123,7 @@ private:
 	btAlignedObjectArray<btTypedConstraint*> m_others;  ///< the island's constraints that have rows in Bullet's pool
 	int m_firstRow = 0;                                 ///< in the system, of those in Bullet's pools
 	btAlignedObjectArray<int> m_index;                  ///< of a solver body in the system, -1: does not move
+	btAlignedObjectArray<btScalar> m_lastFriction;      ///< the last step's impulses, by Bullet's pool
 	btElasticPlasticSystem m_system;
 	std::vector<int> m_lightIslands;
 	std::unique_ptr<btElasticPlasticCrew> m_crew;                                 ///< null: one thread

@@ -18,6 +18,7 @@ subject to the following restrictions:
 
 #include "btElasticPlasticConstraintSolver.h"
 
+#include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "btElasticPlasticLap.h"
 
 namespace
@@ -25,13 +26,14 @@ namespace
 /// Compliance of hard rows, of A: it shows in the twelfth digit.
 const double HARD = 1e-12;
 
-/// What a body's factors forbid to move is given the mass of something else: nothing pushes it, see addRow.
+/// Bullet multiplies a change of velocity by the body's factors twice, in the row and when it applies the impulse. What they
+/// forbid to move is given the mass of something else: nothing pushes it, see addRow.
 void setMass(const btRigidBody& body, btElasticPlasticSystem::Body& to)
 {
 	for (int i = 0; i < 3; ++i)
 	{
 		const double factor = body.getLinearFactor()[i];
-		to.m_mass[i] = 1 / (double(body.getInvMass()) * (factor > 0 ? factor : 1));
+		to.m_mass[i] = 1 / (double(body.getInvMass()) * (factor > 0 ? factor * factor : 1));
 	}
 	// In the body's own axes the inertia is diagonal.
 	const btMatrix3x3& basis = body.getCenterOfMassTransform().getBasis();
@@ -45,11 +47,16 @@ void setMass(const btRigidBody& body, btElasticPlasticSystem::Body& to)
 			for (int j = 0; j < 3; ++j)
 				to.m_inertia[3 * i + j] += inertia * double(basis[i][axis]) * double(basis[j][axis]);
 	}
+	const btVector3& factor = body.getAngularFactor();
 	for (int i = 0; i < 3; ++i)
-		if (body.getAngularFactor()[i] == 0)
-			for (int j = 0; j < 3; ++j)
-				if (j != i)
-					to.m_inertia[3 * i + j] = to.m_inertia[3 * j + i] = 0;
+		for (int j = 0; j < 3; ++j)
+		{
+			const double product = double(factor[i]) * double(factor[j]);
+			if (product > 0)
+				to.m_inertia[3 * i + j] /= product;
+			else if (i != j)
+				to.m_inertia[3 * i + j] = 0;
+		}
 }
 
 void copy(double* to, const btVector3& from, const btVector3& factor)
@@ -198,21 +205,40 @@ void btElasticPlasticConstraintSolver::convertToUnits(btTypedConstraint** constr
 			addJoint(*joint, info);
 }
 
-void btElasticPlasticConstraintSolver::addContacts()
+/// A row that the augmented Lagrangian makes soft by a hundredth of A, unless it is softer already: it then gains two digits a
+/// loop, and the matrix stays well conditioned.
+btElasticPlasticSystem::Row& btElasticPlasticConstraintSolver::addContactRow(const btSolverConstraint& from)
 {
-	// Soft by a hundredth of A: the augmented Lagrangian then gains two digits a loop, and the matrix stays well conditioned.
-	const double softness = 1e-2;
+	btElasticPlasticSystem::Row& row = addRow(from);
+	btElasticPlasticSystem::Law& law = m_system.getLaw(row.m_law);
+	row.m_isContact = true;
+	row.m_softening = btMax(0., 1e-2 / double(from.m_jacDiagABInv) - law.m_compliance);
+	law.m_compliance += row.m_softening;
+	return row;
+}
+
+/// The search begins with the bounds that the contacts' points remember of the last step. Multipliers begin as Bullet's warm
+/// start does, a little below: what the loops leave then takes energy instead of making it.
+void btElasticPlasticConstraintSolver::addContacts(bool hasTwoDirections)
+{
 	const int first = m_system.getNumRows();
+	m_lastFriction.resizeNoInitialize(0);
+	m_lastFriction.resize(m_tmpSolverContactFrictionConstraintPool.size(), 0);
 	for (int i = 0; i < m_tmpSolverContactConstraintPool.size(); ++i)
 	{
 		const btSolverConstraint& contact = m_tmpSolverContactConstraintPool[i];
-		btElasticPlasticSystem::Row& row = addRow(contact);
-		btElasticPlasticSystem::Law& law = m_system.getLaw(row.m_law);
-		row.m_isContact = true;
-		law.m_compliance = btMax(law.m_compliance, softness / double(contact.m_jacDiagABInv));
+		btElasticPlasticSystem::Law& law = m_system.getLaw(addContactRow(contact).m_law);
 		law.m_lower = 0;
 		law.m_upper = 1e30;
+		law.m_bound = -1;
+		const btManifoldPoint* const point = static_cast<const btManifoldPoint*>(contact.m_originalContactPoint);
+		if (!point)
+			continue;
 		law.m_impulse = contact.m_appliedImpulse;
+		law.m_bound = static_cast<signed char>(law.m_impulse > 0 ? 0 : -1);
+		m_lastFriction[contact.m_frictionIndex] = point->m_appliedImpulseLateral1;
+		if (hasTwoDirections)
+			m_lastFriction[contact.m_frictionIndex + 1] = point->m_appliedImpulseLateral2;
 	}
 	btConstraintArray* const pools[] = {&m_tmpSolverContactFrictionConstraintPool,
 										&m_tmpSolverContactRollingFrictionConstraintPool};
@@ -220,25 +246,29 @@ void btElasticPlasticConstraintSolver::addContacts()
 		for (int i = 0; i < pools[p]->size(); ++i)
 		{
 			const btSolverConstraint& friction = (*pools[p])[i];
-			btElasticPlasticSystem::Row& row = addRow(friction);
+			btElasticPlasticSystem::Row& row = addContactRow(friction);
 			btElasticPlasticSystem::Law& law = m_system.getLaw(row.m_law);
-			row.m_isContact = true;
-			law.m_compliance = btMax(law.m_compliance, softness / double(friction.m_jacDiagABInv));
-			law.m_impulse = friction.m_appliedImpulse;
 			row.m_friction = friction.m_friction;
 			row.m_normal = first + friction.m_frictionIndex;
 			// Bullet bounds rolling friction by its coefficient too.
 			row.m_frictionMax = p == 1 ? double(friction.m_friction) : 0;
+			if (p == 1)
+				continue;
+			const double most = row.m_friction * m_system.getLaw(m_system.getRow(row.m_normal).m_law).m_impulse;
+			const double slides = 0.999 * most;
+			law.m_bound = static_cast<signed char>(m_lastFriction[i] >= slides    ? 1
+												   : m_lastFriction[i] <= -slides ? -1
+																				  : 0);
 		}
 }
 
-bool btElasticPlasticConstraintSolver::solveDirectly()
+bool btElasticPlasticConstraintSolver::solveDirectly(const btContactSolverInfo& info)
 {
 	addBodies();
 	m_firstRow = m_system.getNumRows();
 	for (int i = 0; i < m_tmpSolverNonContactConstraintPool.size(); ++i)
 		addRow(m_tmpSolverNonContactConstraintPool[i]);
-	addContacts();
+	addContacts((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0);
 	// The island is known again by the first of its joints.
 	btElasticPlasticJoint& first = *m_directJoints[0].m_joint;
 	int ticket = first.getTicket();

@@ -17,39 +17,75 @@ subject to the following restrictions:
 
 #include <algorithm>
 
+#include "BulletCollision/BroadphaseCollision/btBroadphaseProxy.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "btElasticPlasticJoint.h"
 
 namespace
 {
-/// Bullet's number of the island of two objects, of which one may be static and is in none.
-int islandOf(const btCollisionObject& a, const btCollisionObject& b)
+/// In the order of being added to the world, and for good: the place in the world changes when another body leaves.
+uint32_t orderOf(const btCollisionObject& body)
 {
-	return a.isStaticOrKinematicObject() ? b.getIslandTag() : a.getIslandTag();
+	const btBroadphaseProxy* const proxy = body.getBroadphaseHandle();
+	return uint32_t(proxy ? proxy->getUid() : body.getWorldArrayIndex());
 }
 }  // namespace
 
-/// The numbers of the islands with elastic-plastic joints, in ascending order.
+int btElasticPlasticIslands::rootOf(int body)
+{
+	while (m_parent[body] != body)
+		body = m_parent[body] = m_parent[m_parent[body]];
+	return body;
+}
+
+void btElasticPlasticIslands::join(const btCollisionObject& a, const btCollisionObject& b)
+{
+	if (a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject())
+		return;
+	const int rootA = rootOf(a.getCompanionId()), rootB = rootOf(b.getCompanionId());
+	// Low roots: a chain of bodies in order is a tree of depth one.
+	m_parent[rootA > rootB ? rootA : rootB] = rootA > rootB ? rootB : rootA;
+}
+
+/// Bullet's companion number, free between two solutions, tells a body its place in the group.
 void btElasticPlasticIslands::findIslands(const btElasticPlasticGroup& group)
 {
-	m_numbers.clear();
+	m_parent.resize(group.m_numBodies);
+	for (int i = 0; i < group.m_numBodies; ++i)
+	{
+		const bool moves = !group.m_bodies[i]->isStaticOrKinematicObject();
+		m_parent[i] = moves ? i : -1;
+		if (moves)
+			group.m_bodies[i]->setCompanionId(i);
+	}
+	for (int i = 0; i < group.m_numConstraints; ++i)
+		if (group.m_constraints[i]->isEnabled())
+			join(group.m_constraints[i]->getRigidBodyA(), group.m_constraints[i]->getRigidBodyB());
+	for (int i = 0; i < group.m_numManifolds; ++i)
+		if (group.m_manifolds[i]->getNumContacts() > 0)
+			join(*group.m_manifolds[i]->getBody0(), *group.m_manifolds[i]->getBody1());
+
+	m_islands.assign(group.m_numBodies, -1);
+	m_numIslands = 0;
 	for (int i = 0; i < group.m_numConstraints; ++i)
 	{
 		if (!group.m_joints[i])
 			continue;
-		const btTypedConstraint& constraint = *group.m_constraints[i];
-		const int island = islandOf(constraint.getRigidBodyA(), constraint.getRigidBodyB());
-		if (m_numbers.empty() || m_numbers.back() != island)
-			m_numbers.push_back(island);
+		const btRigidBody& a = group.m_constraints[i]->getRigidBodyA();
+		const btRigidBody& moving = a.isStaticOrKinematicObject() ? group.m_constraints[i]->getRigidBodyB() : a;
+		if (moving.isStaticOrKinematicObject())
+			continue;
+		int& number = m_islands[rootOf(moving.getCompanionId())];
+		if (number < 0)
+			number = m_numIslands++;
 	}
-	std::sort(m_numbers.begin(), m_numbers.end());
-	m_numbers.erase(std::unique(m_numbers.begin(), m_numbers.end()), m_numbers.end());
+	for (int i = 0; i < group.m_numBodies; ++i)
+		m_islands[i] = m_parent[i] < 0 || m_islands[rootOf(i)] < 0 ? m_numIslands : m_islands[rootOf(i)];
 }
 
-int btElasticPlasticIslands::numberOf(int island) const
+int btElasticPlasticIslands::numberOf(const btCollisionObject& body) const
 {
-	const auto place = std::lower_bound(m_numbers.begin(), m_numbers.end(), island);
-	return place != m_numbers.end() && *place == island ? int(place - m_numbers.begin()) : getNumIslands();
+	return body.isStaticOrKinematicObject() ? m_numIslands : m_islands[body.getCompanionId()];
 }
 
 template <class T>
@@ -82,8 +118,8 @@ void btElasticPlasticIslands::split(const btElasticPlasticGroup& group)
 	findIslands(group);
 	const auto key = [this](const btCollisionObject& a, const btCollisionObject& b, int order, int source)
 	{
-		const uint64_t bodies = uint64_t(uint32_t(a.getWorldArrayIndex())) << 32 | uint32_t(b.getWorldArrayIndex());
-		return Key{bodies, order, source, numberOf(islandOf(a, b))};
+		return Key{uint64_t(orderOf(a)) << 32 | orderOf(b), order, source,
+				   numberOf(a.isStaticOrKinematicObject() ? b : a)};
 	};
 	m_bodies.m_keys.clear();
 	for (int i = 0; i < group.m_numBodies; ++i)
@@ -92,7 +128,14 @@ void btElasticPlasticIslands::split(const btElasticPlasticGroup& group)
 
 	m_manifolds.m_keys.clear();
 	for (int i = 0; i < group.m_numManifolds; ++i)
-		m_manifolds.m_keys.push_back(key(*group.m_manifolds[i]->getBody0(), *group.m_manifolds[i]->getBody1(), 0, i));
+	{
+		const btPersistentManifold& manifold = *group.m_manifolds[i];
+		const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+		// Bullet would take both bodies in, and move one of another island a second time.
+		if (manifold.getNumContacts() == 0 && (numberOf(a) < m_numIslands || numberOf(b) < m_numIslands))
+			continue;
+		m_manifolds.m_keys.push_back(key(a, b, 0, i));
+	}
 	m_manifolds.sort(group.m_manifolds, getNumIslands());
 
 	m_constraints.m_keys.clear();
@@ -103,6 +146,9 @@ void btElasticPlasticIslands::split(const btElasticPlasticGroup& group)
 										   group.m_joints[i] ? group.m_joints[i]->getEntry() : -1, i));
 	}
 	m_constraints.sort(group.m_constraints, getNumIslands());
+	for (int i = 0; i < group.m_numBodies; ++i)
+		if (m_parent[i] >= 0)
+			group.m_bodies[i]->setCompanionId(-1);
 	m_joints.clear();
 	for (const Key& constraint : m_constraints.m_sorted)
 		m_joints.push_back(group.m_joints[constraint.m_source]);

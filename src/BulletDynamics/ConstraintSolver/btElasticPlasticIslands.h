@@ -38,16 +38,17 @@ struct btElasticPlasticGroup
 
 /// Takes a group apart: each island with elastic-plastic joints by itself, all others together.
 ///
-/// Bullet's own sort by islands shuffles what is equal, so that an island's order depends on what other islands there are.
-/// Here an island with elastic-plastic joints is put in an order of its own, that of its bodies in the world: it then gives
-/// the same bits whatever is around it. The others stay in Bullet's order.
+/// An island here is what constraints and contacts join. Bullet's own may be larger: it joins bodies whose boxes have
+/// overlapped until it looks at the pair again, which depends on the rest of the world. And its sort by islands shuffles what is
+/// equal. Here an island is put in an order of its own, that in which its bodies were added to the world (the numbers that the
+/// broadphase gives): it then gives the same bits whatever is around it. The others stay in Bullet's order.
 class btElasticPlasticIslands
 {
 public:
 	/// What the group points to must stay; the arrays may go.
 	void split(const btElasticPlasticGroup& group);
 
-	int getNumIslands() const { return int(m_numbers.size()); }  ///< with elastic-plastic joints
+	int getNumIslands() const { return m_numIslands; }  ///< with elastic-plastic joints
 	btElasticPlasticGroup getIsland(int i) { return get(i); }
 	btElasticPlasticGroup getOthers() { return get(getNumIslands()); }
 
@@ -55,7 +56,7 @@ private:
 	/// Where an item goes.
 	struct Key
 	{
-		uint64_t m_bodies;  ///< one body's place in the world, then the other's
+		uint64_t m_bodies;  ///< one body's number, then the other's
 		int m_order;        ///< among those of the same bodies
 		int m_source;
 		int m_island;  ///< our number, the others last
@@ -75,10 +76,14 @@ private:
 	};
 
 	void findIslands(const btElasticPlasticGroup& group);
-	int numberOf(int island) const;
+	void join(const btCollisionObject& a, const btCollisionObject& b);
+	int rootOf(int body);
+	int numberOf(const btCollisionObject& body) const;
 	btElasticPlasticGroup get(int island);
 
-	std::vector<int> m_numbers;  // Bullet's, of the islands
+	int m_numIslands = 0;
+	std::vector<int> m_parent;   // of a forest of the group's bodies, -1 for those that do not move
+	std::vector<int> m_islands;  // per body
 	Sorted<btCollisionObject> m_bodies;
 	Sorted<btPersistentManifold> m_manifolds;
 	Sorted<btTypedConstraint> m_constraints;

@@ -21,8 +21,9 @@ subject to the following restrictions:
 
 namespace
 {
-/// Islands that fall asleep and wake within so many steps find their plans again.
-const long long KEPT_STEPS = 8;
+/// A plan that no island has used for so many steps makes room for new ones. Where contacts change an island's graph in every
+/// step, there are so many plans of it and one more.
+const long long KEPT_STEPS = 2;
 /// Plans kept where nobody tells of steps.
 const size_t KEPT_PLANS = 256;
 
@@ -65,8 +66,9 @@ void btElasticPlasticLinearSolver::begin(int numBodies, const std::vector<int>& 
 			m_plan->m_ticket = ++m_lastTicket;
 		++m_statistics.m_analyses;
 	}
+	// What has slept is solved afresh: whether its plan is still there depends on others.
+	m_factorState = m_plan->m_lastUse + 1 >= m_step ? OLD : NONE;
 	m_plan->m_lastUse = m_step;
-	m_factorState = OLD;
 }
 
 btElasticPlasticLinearSolver::Plan& btElasticPlasticLinearSolver::newPlan(size_t hash)
@@ -80,7 +82,7 @@ btElasticPlasticLinearSolver::Plan& btElasticPlasticLinearSolver::newPlan(size_t
 
 void btElasticPlasticLinearSolver::setAssembled(const std::vector<int>& changedBodies)
 {
-	if (m_factorState == OLD)
+	if (m_factorState == NONE || m_factorState == OLD)
 		return;
 	if (m_factorState == CURRENT)
 		m_changed.clear();
@@ -101,7 +103,7 @@ bool btElasticPlasticLinearSolver::factorise()
 	}
 	else
 		done = factor.factorise(m_plan->m_matrix);
-	m_factorState = done ? CURRENT : OLD;
+	m_factorState = done ? CURRENT : NONE;
 	return done;
 }
 

@@ -85,7 +85,8 @@ private:
 	/// How good the plan's factor is.
 	enum FactorState
 	{
-		OLD,     // of an earlier problem, or none
+		NONE,
+		OLD,     // of the step before
 		NEARLY,  // of this problem, but for m_changed
 		CURRENT
 	};
@@ -99,7 +100,7 @@ private:
 	Plan* m_plan = nullptr;
 	long long m_step = 0;
 	int m_lastTicket = 0;
-	FactorState m_factorState = OLD;
+	FactorState m_factorState = NONE;
 	std::vector<int> m_changed;  // bodies
 	std::vector<double> m_solution, m_search, m_product, m_preconditioned, m_rest;
 };

@@ -28,7 +28,8 @@ struct btElasticPlasticStatistics
 	long long m_solutions = 0;              ///< with a factor
 	long long m_iterations = 0;             ///< of conjugate gradients with the factor of an earlier step
 	long long m_contactLoops = 0;
-	long long m_fallbacks = 0;  ///< no convergence, or not a number: the iterative form has solved the island
+	long long m_looseContacts = 0;  ///< islands whose contacts were not exact when their loops ended
+	long long m_fallbacks = 0;      ///< no convergence, or not a number: the iterative form has solved the island
 
 	// Where the time went, of all threads together [s].
 	double m_setUpTime = 0;     ///< joints' rows
@@ -49,6 +50,7 @@ struct btElasticPlasticStatistics
 		m_solutions += s.m_solutions;
 		m_iterations += s.m_iterations;
 		m_contactLoops += s.m_contactLoops;
+		m_looseContacts += s.m_looseContacts;
 		m_fallbacks += s.m_fallbacks;
 		m_setUpTime += s.m_setUpTime;
 		m_analysisTime += s.m_analysisTime;

@@ -164,7 +164,11 @@ void btElasticPlasticSystem::evaluate()
 	{
 		Law& law = m_laws[l];
 		const double impulse = (law.m_target - m_along[l]) / law.m_compliance;
-		const signed char bound = impulse > law.m_upper ? 1 : impulse < law.m_lower ? -1 : 0;
+		// Bounds without room between them, of friction where nothing presses, leave nothing to choose: on which side an impulse
+		// of rounding's size lies must not count as a change.
+		const signed char bound = impulse > law.m_upper || law.m_lower == law.m_upper ? 1
+								  : impulse < law.m_lower                             ? -1
+																					  : 0;
 		law.m_impulse = bound > 0 ? law.m_upper : bound < 0 ? law.m_lower : impulse;
 		m_boundsChanged |= bound != law.m_bound;
 		law.m_bound = bound;
@@ -178,16 +182,21 @@ double btElasticPlasticSystem::findResidual()
 {
 	const btElasticPlasticLap lap("elastic-plastic search", m_statistics.m_searchTime);
 	double phi = 0;
+	m_phiTerms = 0;
 	for (size_t l = 0; l < m_laws.size(); ++l)
 	{
 		// psi is u^2 / 2C between the bounds and goes on straight beyond them.
 		const Law& law = m_laws[l];
-		phi += law.m_impulse * (law.m_target - m_along[l] - 0.5 * law.m_compliance * law.m_impulse);
+		const double term = law.m_impulse * (law.m_target - m_along[l] - 0.5 * law.m_compliance * law.m_impulse);
+		phi += term;
+		m_phiTerms += fabs(term);
 	}
 	multiplyMass(m_velocity, m_residual);
 	for (size_t i = 0; i < m_residual.size(); ++i)
 	{
-		phi += 0.5 * m_velocity[i] * m_residual[i];
+		const double term = 0.5 * m_velocity[i] * m_residual[i];
+		phi += term;
+		m_phiTerms += fabs(term);
 		m_residual[i] = -m_residual[i];
 	}
 	addImpulses(m_residual);
@@ -215,6 +224,7 @@ bool btElasticPlasticSystem::newton()
 	if (!m_boundsChanged)
 		return true;
 	double phi = findResidual();
+	int roundings = 0;
 	for (int step = 0; step < m_maxNewtonSteps; ++step)
 	{
 		m_step = m_residual;
@@ -224,6 +234,10 @@ bool btElasticPlasticSystem::newton()
 		double slope = 0;
 		for (size_t i = 0; i < m_step.size(); ++i)
 			slope -= m_residual[i] * m_step[i];
+		// What is left to gain is less than phi is rounded by. Rows that are all but at a bound may then change sides for ever:
+		// some steps more for exactness, and it is found.
+		if (-slope <= 1e-12 * m_phiTerms && ++roundings > 3)
+			return true;
 		m_start = m_velocity;
 		move(1);
 		evaluate();
@@ -286,20 +300,33 @@ double btElasticPlasticSystem::exactLength()
 	return t;
 }
 
-/// One loop of the augmented Lagrangian: multipliers follow impulses, friction's bounds follow normal impulses.
+/// One loop of the augmented Lagrangian: multipliers follow impulses, friction's bounds follow normal impulses. What a loop
+/// leaves of the slip is about c / (c + A), with A of the contact in the structure, where a light foot may carry thousands of
+/// times its weight: contacts that hardly gain after some loops are made harder. All of them from the start would make Newton
+/// crawl from one to the next.
 /// \return whether anything changed that matters
-bool btElasticPlasticSystem::tightenContacts()
+bool btElasticPlasticSystem::tightenContacts(int loop)
 {
 	double slip = 0, fastest = 1e-9, frictionChange = 0, strongest = 1e-12;
+	for (const Row& row : m_rows)
+		fastest = std::max(fastest, row.m_isContact ? fabs(row.m_target) : 0.);
 	for (Row& row : m_rows)
 	{
 		if (!row.m_isContact)
 			continue;
 		Law& law = m_laws[row.m_law];
-		slip = std::max(slip, law.m_compliance * fabs(law.m_impulse - row.m_multiplier));
-		fastest = std::max(fastest, fabs(row.m_target));
+		const double rest = row.m_softening * fabs(law.m_impulse - row.m_multiplier);
+		slip = std::max(slip, rest);
 		row.m_multiplier = law.m_impulse;
-		law.m_target = row.m_target + law.m_compliance * row.m_multiplier;
+		if (loop > 4 && rest > 0.5 * row.m_slip && rest > m_contactTolerance * fastest &&
+			row.m_softening > row.m_leastSoftening)
+		{
+			law.m_compliance -= 0.9 * row.m_softening;
+			row.m_softening *= 0.1;
+			m_matrixIsCurrent = false;
+		}
+		row.m_slip = rest;
+		law.m_target = row.m_target + row.m_softening * row.m_multiplier;
 	}
 	for (const Row& row : m_rows)
 	{
@@ -325,16 +352,21 @@ bool btElasticPlasticSystem::search()
 		{
 			hasContacts = true;
 			row.m_target = m_laws[row.m_law].m_target;
+			row.m_leastSoftening = 1e-6 * row.m_softening;
+			row.m_slip = 0;
 		}
 	if (hasContacts)
-		tightenContacts();
+		tightenContacts(0);
 	bool solved = guess() && newton();
-	for (int loop = 0; solved && hasContacts && loop < m_maxContactLoops && tightenContacts(); ++loop)
+	bool open = hasContacts && tightenContacts(1);
+	for (int loop = 0; solved && open && loop < m_maxContactLoops; ++loop)
 	{
 		++m_statistics.m_contactLoops;
 		// The right sides have changed: even with the same bounds there is a step to make.
 		solved = guess() && newton();
+		open = tightenContacts(loop + 2);
 	}
+	m_statistics.m_looseContacts += open;
 	for (double v : m_velocity)
 		solved = solved && fabs(v) < 1e30;
 	return solved;
