@@ -417,4 +417,80 @@ TEST(DirectContacts, FourHundredContactsOnAFrame)
 	// Bounded effort, whatever the machine: a step is at most this many factorisations.
 	EXPECT_LT(statistics.m_factorisations, 60 * 60);
 }
+// ---- what contacts are made of
+
+TEST(DirectContacts, PlatesThatTouchAtTheirCornersHangAsThoseThatDoNot)
+{
+	// A floor of plates edge to edge: neighbours across a corner touch with forces of rounding's size, whose side Newton's search
+	// must not care about. With gaps there are no contacts.
+	double tip[2];
+	for (int touching = 0; touching < 2; ++touching)
+	{
+		World world(Solver::Direct);
+		const btScalar side = touching ? btScalar(1) : btScalar(0.98);
+		btCollisionShape* plate = world.box(btVector3(side, btScalar(0.2), side));
+		btRigidBody* wall = world.body(0, plate, at(-1, 0), false);
+		const int n = 10;
+		std::vector<btRigidBody*> plates;
+		for (int i = 0; i < n; ++i)
+			for (int j = 0; j < n; ++j)
+			{
+				plates.push_back(world.body(100, plate, at(i, 0, j)));
+				world.joint(i > 0 ? *plates[(i - 1) * n + j] : *wall, *plates.back(), at(i - 0.5, 0, j),
+							evenCapacity(1e8));
+				if (j > 0)
+					world.joint(*plates[i * n + j - 1], *plates.back(), at(i, 0, j - 0.5), evenCapacity(1e8));
+			}
+		for (int i = 0; i < 60; ++i)
+			world.step(btScalar(1) / 60);
+		tip[touching] = double(plates.back()->getCenterOfMassPosition().y());
+		EXPECT_EQ(0, statisticsOf(world).m_fallbacks);
+		if (touching)
+		{
+			EXPECT_GT(statisticsOf(world).m_rows, 60 * 6 * int(world.joints().size()));
+		}
+	}
+	EXPECT_LT(tip[0], -1e-3);
+	// The sag of some centimetres closes and opens the corners a little: they carry next to nothing.
+	EXPECT_NEAR(1, tip[1] / tip[0], 0.01);
+}
+
+TEST(DirectContacts, SoftContactsSinkAsFarAsTheirStiffnessSays)
+{
+	for (double stiffness : {1e4, 1e5, 1e6})
+	{
+		World world(Solver::Direct);
+		world.body(0, world.box(btVector3(20, 1, 20)), at(0, -0.5));
+		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
+		btRigidBody* a = world.body(100, cube, at(0, 0.5));
+		btRigidBody* b = world.body(100, cube, at(1.5, 0.5));
+		for (btRigidBody* body : {a, b})
+			body->setContactStiffnessAndDamping(btScalar(stiffness), btScalar(stiffness / 20));
+		world.joint(*a, *b, at(0.75, 0.5), evenCapacity(1e8));
+		for (int i = 0; i < 600; ++i)
+			world.step(btScalar(1) / 60);
+		// Four points a cube, each with the stiffness; margins are part of the boxes.
+		EXPECT_NEAR(100 * 10 / (4 * stiffness), 0.5 - double(a->getCenterOfMassPosition().y()),
+					0.01 * 100 * 10 / (4 * stiffness) + byPrecision(1e-9, 2e-6));
+	}
+}
+
+TEST(DirectContacts, LightFootCarriesAHeavyMass)
+{
+	// By a joint of the foot's height: a foot of 1 kg under up to 10000 t.
+	for (double mass : {1e3, 1e5, 1e7})
+	{
+		World world(Solver::Direct);
+		world.body(0, world.box(btVector3(20, 1, 20)), at(0, -0.5));
+		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
+		btRigidBody* foot = world.body(1, cube, at(0, 0.5));
+		btRigidBody* load = world.body(btScalar(mass), cube, at(0, 1.5), false);
+		world.joint(*foot, *load, at(0, 1), evenCapacity(1e5 * mass));
+		for (int i = 0; i < 300; ++i)
+			world.step(btScalar(1) / 60);
+		// The joint gives by g / 1e5 = 0.1 mm; a millimetre is what contacts may leave (Bullet's slop is none here).
+		EXPECT_NEAR(1.5, double(load->getCenterOfMassPosition().y()), 1e-3) << mass;
+		EXPECT_EQ(0, statisticsOf(world).m_fallbacks);
+	}
+}
 }  // namespace

@@ -234,6 +234,75 @@ TEST(DirectHardCases, FactorsGiveTheAccelerationsOfAConstrainedBody)
 	EXPECT_EQ(0, plank->getLinearVelocity().z());
 }
 
+TEST(DirectHardCases, FactorsBetweenNoneAndAllWorkAsInBullet)
+{
+	// A body on a torsion spring or an axial one: the time until it swings through its place.
+	for (double factor : {0.5, 0.1})
+		for (bool turns : {true, false})
+		{
+			double times[2];
+			for (Solver solver : {Solver::Stock, Solver::Direct})
+			{
+				World world(solver, btVector3(0, 0, 0));
+				btCollisionShape* cube = world.box(btVector3(1, 1, 1));
+				btRigidBody* wall = world.body(0, cube, at(0, 0), false);
+				btRigidBody* body = world.body(6, cube, at(0, 0), false);
+				world.joint(*wall, *body, at(0, 0), evenCapacity(50));
+				const btScalar f = btScalar(factor);
+				turns ? body->setAngularFactor(btVector3(f, f, f)) : body->setLinearFactor(btVector3(f, f, f));
+				body->setCenterOfMassTransform(turns ? btTransform(btQuaternion(btVector3(1, 0, 0), btScalar(0.1)))
+													 : at(0.1, 0));
+				const auto place = [&]
+				{
+					return turns ? double(body->getCenterOfMassTransform().getBasis()[2][1])
+								 : double(body->getCenterOfMassPosition().x());
+				};
+				double& time = times[solver == Solver::Direct];
+				for (time = 0; place() > 0 && time < 20; time += 1e-3)
+					world.step(btScalar(1e-3));
+			}
+			// The stock row is of first order at this step: a thousandth of the period.
+			EXPECT_NEAR(1, times[1] / times[0], 0.01) << factor << turns;
+			EXPECT_LT(times[1], 19);
+		}
+}
+
+TEST(DirectHardCases, OldFactorsAreAsExactAsNewOnes)
+{
+	// A stirred net that yields here and there: conjugate gradients with the last step's factor against factorising always.
+	btVector3 ends[2];
+	long long iterations = 0;
+	for (int fresh = 0; fresh < 2; ++fresh)
+	{
+		World world(Solver::Direct);
+		solverOf(world).getSystem().getLinearSolver().m_maxIterations = fresh ? 0 : 8;
+		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
+		btRigidBody* wall = world.body(0, cube, at(-1, 0), false);
+		const int n = 14;
+		std::vector<btRigidBody*> net;
+		btElasticPlasticCapacity capacity = evenCapacity(1e8);
+		capacity.m_yield[BT_EP_BENDING_Z] = 3e5;
+		for (int i = 0; i < n * n; ++i)
+		{
+			const int x = i / n, z = i % n;
+			net.push_back(world.body(100, cube, at(x, 0, z), false));
+			net.back()->setLinearVelocity(btVector3(0, btScalar(0.02 * x * z), 0));
+			world.joint(x > 0 ? *net[i - n] : *wall, *net[i], at(x - 0.5, 0, z), capacity);
+			if (z > 0)
+				world.joint(*net[i - 1], *net[i], at(x, 0, z - 0.5), capacity);
+		}
+		for (int i = 0; i < 60; ++i)
+			world.step(btScalar(1) / (i % 7 == 0 ? 240 : 60));
+		ends[fresh] = net.back()->getCenterOfMassPosition();
+		if (!fresh)
+			iterations = statisticsOf(world).m_iterations;
+	}
+	EXPECT_GT(iterations, 0);
+	// Each step is exact to 1e-11 of its momentum; 2e-12 m measured in double, rounded poses in float.
+	EXPECT_LT((ends[0] - ends[1]).length(), byPrecision(1e-9, 1e-4));
+	EXPECT_GT((ends[1] - btVector3(13, 0, 13)).length(), 0.01);
+}
+
 TEST(DirectHardCases, KinematicPartnerCarriesTheStructure)
 {
 	World world(Solver::Direct);
@@ -271,6 +340,11 @@ TEST(DirectHardCases, WithoutConvergenceIterationsTakeOver)
 	run(cantilever.m_world, 60);
 	EXPECT_GT(statisticsOf(cantilever.m_world).m_fallbacks, 0);
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_newtonSteps);
+	// Back to normal, it is solved directly again.
+	solverOf(cantilever.m_world).getSystem().m_maxNewtonSteps = 200;
+	solverOf(cantilever.m_world).resetStatistics();
+	run(cantilever.m_world, 60);
+	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_fallbacks);
 	for (btRigidBody* part : cantilever.m_member.m_parts)
 		EXPECT_TRUE(isFinite(*part));
 }

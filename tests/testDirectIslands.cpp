@@ -158,8 +158,10 @@ public:
 		m_world.bullet().getSolverInfo().m_minimumSolverBatchSize = batches == ALONE ? 0 : 1000000;
 		m_world.bullet().getSimulationIslandManager()->setSplitIslands(batches != UNSPLIT);
 		for (; *order; ++order)
-			*order == 'a' ? addNet(1, 10, 0) : addNet(11, 11, *order - 'a');
+			add(*order);
 	}
+
+	void add(char structure) { structure == 'a' ? addNet(1, 10, 0) : addNet(11, 11, structure - 'a'); }
 
 	void run()
 	{
@@ -219,6 +221,59 @@ TEST(DirectIslands, StructuresGiveTheSameBitsWhateverIsBesideThem)
 			other.run();
 			EXPECT_TRUE(other == reference) << order << " " << batches;
 		}
+}
+
+/// A net that sleeps for a while, and what happens far away meanwhile.
+std::vector<Bits> netThatSleeps(bool othersGrow)
+{
+	Quarter quarter("b", Quarter::ALONE);
+	World& world = quarter.m_world;
+	btCollisionShape* cube = world.box(btVector3(1, 1, 1));
+	btRigidBody* first = world.body(100, cube, at(0, 0, 500), false);
+	btRigidBody* second = world.body(100, cube, at(1, 0, 500), false);
+	const std::vector<btRigidBody*>& net = quarter.m_structures[1];
+	for (int i = 0; i < 20; ++i)
+		world.step(FRAME);
+	for (btRigidBody* body : net)
+		body->forceActivationState(ISLAND_SLEEPING);
+	for (int i = 0; i < 20; ++i)
+	{
+		if (othersGrow && i == 10)
+			world.joint(*first, *second, at(0.5, 0, 500), evenCapacity(1e7));
+		world.step(FRAME);
+	}
+	for (btRigidBody* body : net)
+		body->forceActivationState(DISABLE_DEACTIVATION);
+	for (int i = 0; i < 20; ++i)
+		world.step(FRAME);
+	return bitsOf(net);
+}
+
+TEST(DirectIslands, SleeperDoesNotFeelWhatHappensMeanwhile)
+{
+	const std::vector<Bits> reference = netThatSleeps(false);
+	EXPECT_TRUE(netThatSleeps(true) == reference);
+}
+
+TEST(DirectIslands, BitsStayWhenAnotherBodyLeaves)
+{
+	// Bullet moves the last of its bodies to the place of the one that leaves: here one of the net's.
+	std::vector<Bits> bits[2];
+	for (int leaves = 0; leaves < 2; ++leaves)
+	{
+		Quarter quarter("", Quarter::ALONE);
+		World& world = quarter.m_world;
+		btRigidBody* stranger = world.body(100, world.box(btVector3(1, 1, 1)), at(0, 0, 500), false);
+		quarter.add('b');
+		for (int i = 0; i < 40; ++i)
+		{
+			if (leaves && i == 20)
+				world.bullet().removeRigidBody(stranger);
+			world.step(FRAME);
+		}
+		bits[leaves] = bitsOf(quarter.m_structures[1]);
+	}
+	EXPECT_TRUE(bits[0] == bits[1]);
 }
 
 /// Posts on a ground: those that are hit yield and break, and all touch the ground.
