@@ -62,7 +62,7 @@ public:
 
 	/// The paper's automatic time stepping: swingStep at angles beyond swingAngle, step within impactAngle, linear between.
 	double stepAt(double angle) const;
-	/// Of equal length in a step of dt: none may turn the hinge by more than hingeStep.
+	/// Of equal length in a step of dt: none may turn the hinge by more than hingeStep, or be too long for the joint.
 	int substepsIn(double dt) const;
 
 	double time() const { return m_time; }
@@ -76,12 +76,14 @@ public:
 
 private:
 	void join();
+	const CharpyJoint* notch() const;
 	void substep(btScalar dt);
 	void strike();
 	double hammerEnergy() const;
 	bool isHammerTouching() const;
 	double bendRate() const;
 	void followBend();
+	void hold();
 	void observe();
 
 	CharpySettings m_settings;
@@ -95,7 +97,8 @@ private:
 	double m_hammerLevel = 0;  ///< potential energy at rest at angle 0, Bullet's unit
 	double m_specimenLevel = 0;
 	double m_time = 0, m_struckTime = 0;
-	double m_bend = 0;  ///< at the notch, followed through turns [rad]
+	std::vector<btTransform> m_seat;  ///< of the pieces before the blow
+	double m_bend = 0;                ///< at the notch, followed through turns [rad]
 	bool m_struck = false;
 };
 }  // namespace ep

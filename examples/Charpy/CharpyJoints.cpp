@@ -1,7 +1,5 @@
 #include "CharpyJoints.h"
 
-#include <cmath>
-
 namespace ep
 {
 namespace
@@ -130,9 +128,21 @@ public:
 		return double(m_stiffness) * angle * angle / 2;
 	}
 
-private:
+protected:
 	btRigidBody* m_pieces[2];
 	btScalar m_stiffness;
+};
+
+/// Bullet weakens it where the step is longer than a quarter of its frequency's inverse (the paper's equation 16).
+class ExplicitSpring : public Spring<btGeneric6DofSpring2Constraint>
+{
+public:
+	using Spring::Spring;
+	double longestStep() const override
+	{
+		const double inverse = double(m_pieces[0]->getInvInertiaDiagLocal().y());
+		return 0.25 / std::sqrt(double(m_stiffness) * inverse);
+	}
 };
 
 /// A hinge whose motor brakes with the plastic moment; it lets go at the maximum rotation if it has one.
@@ -188,7 +198,7 @@ std::unique_ptr<CharpyJoint> makeCharpyJoint(World& world, CharpyEnergy& energy,
 				world, energy, s, p,
 				new btGeneric6DofSpringConstraint(*p.a, *p.b, in(*p.a, p.frame), in(*p.b, p.frame), true));
 		case CharpyWay::Spring2:
-			return std::make_unique<Spring<btGeneric6DofSpring2Constraint>>(
+			return std::make_unique<ExplicitSpring>(
 				world, energy, s, p,
 				new btGeneric6DofSpring2Constraint(*p.a, *p.b, in(*p.a, p.frame), in(*p.b, p.frame)));
 		case CharpyWay::HingeMotor:

@@ -1,6 +1,8 @@
 #ifndef EP_CHARPY_JOINTS_H
 #define EP_CHARPY_JOINTS_H
 
+#include <cmath>
+
 #include "CharpyEnergy.h"
 
 namespace ep
@@ -12,6 +14,8 @@ public:
 	virtual ~CharpyJoint() = default;
 	virtual void beforeStep(btScalar) {}
 	virtual void afterStep(btScalar) {}
+	/// That it can be computed with [s].
+	virtual double longestStep() const { return HUGE_VAL; }
 	virtual bool isBroken() const = 0;
 	virtual double plasticWork() const = 0;
 	virtual double elasticEnergy() const = 0;

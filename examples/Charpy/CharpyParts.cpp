@@ -30,6 +30,10 @@ btCollisionShape* makeShape(World& world, const CharpyShape& shape, const Charpy
 			for (btScalar y : {-half, half})
 				hull->addPoint(btVector3(c.x() * unit, y, c.z() * unit), false);
 		hull->recalcLocalAabb();
+		// Bullet's default of 0.04 units is for bodies of size 1; of boxes it makes this by itself.
+		btVector3 low, high;
+		hull->getAabb(btTransform::getIdentity(), low, high);
+		hull->setSafeMargin((high - low) / 2 - btVector3(1, 1, 1) * hull->getMargin());
 		made = hull;
 	}
 	world.keep(made);
@@ -60,7 +64,12 @@ CharpyShape hammerShape(const CharpySettings& s)
 {
 	const double half = s.hammerHalfThickness(), front = s.hammerLength / 2;
 	if (isPaper(s))
-		return boxShape(s.hammerLength, s.hammerHeight, 2 * half);
+	{
+		const double shoulder = front - s.draft;
+		return {{corner(front, 0), corner(shoulder, half), corner(-front, half), corner(-front, -half),
+				 corner(shoulder, -half)},
+				s.hammerHeight};
+	}
 	// Wedge of 30 degrees, its edge 4 mm wide: ISO 148-2 rounds it with a radius of 2 mm.
 	const double edge = 0.002, shoulder = front - (half - edge) / std::tan(15 * M_PI / 180);
 	return {{corner(front, -edge), corner(front, edge), corner(shoulder, half), corner(-front, half),
@@ -68,7 +77,25 @@ CharpyShape hammerShape(const CharpySettings& s)
 			s.hammerHeight};
 }
 
-CharpyShape pieceShape(const CharpySettings& s) { return boxShape(s.height, s.width, s.length / numPieces(s)); }
+CharpyShape pieceShape(const CharpySettings& s, int i)
+{
+	const int n = numPieces(s);
+	const double length = s.length / n, x = s.height / 2;
+	if (n <= 2)
+		return boxShape(s.height, s.width, length);
+	// What slides along the specimen would catch at the next piece's end face: inner ends are chamfered, 1 in 10.
+	const double depth = 0.05e-3, along = 0.5e-3;
+	CharpyShape shape = {{}, s.width};
+	for (int side : {-1, 1})
+	{
+		const bool inner = side < 0 ? i > 0 : i + 1 < n;
+		const double end = side * length / 2, flat = inner ? end - side * along : end, low = inner ? x - depth : x;
+		for (const btVector3& c :
+			 {corner(-side * -x, flat), corner(-side * -low, end), corner(-side * low, end), corner(-side * x, flat)})
+			shape.plan.push_back(c);
+	}
+	return shape;
+}
 
 CharpyShape anvilShape(const CharpySettings& s, bool left)
 {
@@ -85,7 +112,7 @@ CharpyShape anvilShape(const CharpySettings& s, bool left)
 
 btVector3 hammerCentre(const CharpySettings& s)
 {
-	return btVector3(btScalar(-s.hammerLength / 2), btScalar(s.hammerHeight / 2 - s.draft - s.arm), 0);
+	return btVector3(btScalar(-s.hammerLength / 2), btScalar(-s.arm), 0);
 }
 
 btVector3 hammerAxis(const CharpySettings& s) { return btVector3(btScalar(s.shift - s.height), btScalar(s.arm), 0); }
@@ -117,17 +144,23 @@ CharpyParts::CharpyParts(World& world, const CharpySettings& s)
 		anvils[i] = finish(world.body(0, shape, at(s, anvilCentre(s, i == 0))));
 	}
 	const int n = numPieces(s);
-	btCollisionShape* const shape = makeShape(world, pieceShape(s), s, true);
 	const double mass = s.density * s.length * s.width * s.height / n;
 	for (int i = 0; i < n; ++i)
 	{
+		btCollisionShape* const shape = makeShape(world, pieceShape(s, i), s, n <= 2);
 		btRigidBody* const piece = finish(world.body(btScalar(mass), shape, at(s, pieceCentre(s, i))));
 		// The seat that bears its weight before the blow is left out.
 		piece->setGravity(btVector3(0, 0, 0));
+		// At the notch pieces overlap when they bend, which is no contact: neighbours' neighbours, too, if they are short.
+		for (btRigidBody* other : pieces)
+		{
+			piece->setIgnoreCollisionCheck(other, true);
+			other->setIgnoreCollisionCheck(piece, true);
+		}
 		pieces.push_back(piece);
 	}
 	const btVector3 centre = hammerCentre(s), released = hammerAxis(s) + turned(centre, -s.release);
-	hammer = finish(world.body(btScalar(s.hammerMass), makeShape(world, hammerShape(s), s, isPaper(s)),
+	hammer = finish(world.body(btScalar(s.hammerMass), makeShape(world, hammerShape(s), s, false),
 							   at(s, released, btScalar(-s.release))));
 	bearing = new btHingeConstraint(*hammer, -centre * btScalar(s.lengthsPerMetre), btVector3(0, 0, 1), true);
 	world.add(bearing);

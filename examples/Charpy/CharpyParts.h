@@ -16,7 +16,7 @@ struct CharpyShape
 };
 
 CharpyShape hammerShape(const CharpySettings& settings);
-CharpyShape pieceShape(const CharpySettings& settings);
+CharpyShape pieceShape(const CharpySettings& settings, int i);
 /// The left one is at z < 0.
 CharpyShape anvilShape(const CharpySettings& settings, bool left);
 

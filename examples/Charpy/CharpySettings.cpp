@@ -87,7 +87,7 @@ std::string CharpySettings::fault() const
 		{"length of the hammer [m]", hammerLength, 0.05, 10},
 		{"height of the hammer [m]", hammerHeight, 0.02, 10},
 		{"mass of the hammer [kg]", hammerMass, 1e-2, 1e5},
-		{"draft of the hammer [m]", draft, 0, hammerHeight},
+		{"draft of the hammer [m]", draft, 1e-3, 0.9 * hammerLength},
 		{"arm of the hammer [m]", arm, 0.25, 10},
 		{"angle of release [rad]", release, swingAngle, 2.8},
 		{"shift of the hammer [m]", shift, -2e-3, 2e-3},

@@ -25,7 +25,7 @@ enum class CharpyWay
 
 enum class CharpyGeometry
 {
-	Paper,      ///< box-shaped hammer and anvils, hinge in the specimen's middle plane
+	Paper,      ///< hammer 20 mm thick with an edge, box-shaped anvils, hinge in the specimen's middle plane
 	Repeatable  ///< anvils relieved, striker a wedge (as in ISO 148-2), hinge in the ligament's middle
 };
 
@@ -71,9 +71,9 @@ struct CharpySettings
 	double hammerLength = 0.5;   ///< along the blow [m]
 	double hammerHeight = 0.25;  ///< [m]
 	double hammerMass = 19.5;    ///< [kg]
-	double draft = 0.04;         ///< how far the hammer reaches below the specimen's axis [m]
+	double draft = 0.04;         ///< length over which the paper's hammer narrows to its edge [m]
 	double arm = 1;              ///< from the hammer's axis of rotation straight down to the blow [m]
-	double release = 2.06;       ///< angle from which the hammer falls; 2.06 gives a blow of 300 J [rad]
+	double release = 1.91;       ///< angle from which the hammer falls; 1.91 gives a blow of 300 J [rad]
 	double shift = 0;            ///< of the hammer and its axis, along the blow [m]
 	double gravity = 9.81;       ///< [m/s^2]
 	double friction = 0.1;       ///< coefficient of each pair in contact
@@ -98,8 +98,8 @@ struct CharpySettings
 	/// What is wrong and how to put it right, empty if nothing is.
 	std::string fault() const;
 
-	/// Half of the hammer's thickness: the paper's is 20 mm thick, which leaves the bent specimen no room between the
-	/// anvils; the repeatable one's 14 mm do.
+	/// Half of the hammer's thickness. The paper's 20 mm leave no room for a bent specimen of 10 mm between anvils 40 mm
+	/// apart, the repeatable one's 14 mm do.
 	double hammerHalfThickness() const { return geometry == CharpyGeometry::Paper ? 0.01 : 0.007; }
 
 	/// From the hinge to the specimen's face at the anvils [m].
