@@ -65,20 +65,25 @@ std::string toLine(const CharpyResult& r)
 	return text;
 }
 
-std::string charpyCsvHead()
+CharpyTable energyTable()
 {
-	return "time_s,hammer_angle_rad,hammer_energy_J,hinge_angle_rad,plastic_work_J,specimen_kinetic_energy_J,"
-		   "friction_work_J,contact_work_J,elastic_energy_J,numerical_dissipation_J\n";
+	CharpyTable t;
+	t.name = "energy";
+	t.title = "Where the hammer's energy goes";
+	t.yTitle = "energy [J]";
+	t.columns = {"time_s",           "hammer_energy_J", "plastic_work_J",   "specimen_kinetic_energy_J",
+				 "friction_work_J",  "contact_work_J",  "elastic_energy_J", "numerical_dissipation_J",
+				 "hammer_angle_rad", "hinge_angle_rad"};
+	for (size_t column = 1; column <= 7; ++column)
+		t.series.push_back({column, true});
+	return t;
 }
 
-std::string charpyCsvLine(const Charpy& charpy)
+void addEnergies(CharpyTable& table, const Charpy& charpy)
 {
 	const CharpyResult r = charpy.result();
-	char text[320];
-	std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", charpy.time(),
-				  charpy.angle(), r.hammerAfter, r.hingeAngle, r.plasticWork, r.specimenEnergy, r.frictionWork,
-				  r.contactWork, r.elasticEnergy, r.numericalDissipation);
-	return text;
+	table.add({charpy.time(), r.hammerAfter, r.plasticWork, r.specimenEnergy, r.frictionWork, r.contactWork,
+			   r.elasticEnergy, r.numericalDissipation, charpy.angle(), r.hingeAngle});
 }
 
 void makeDirectory(const std::string& directory)
@@ -98,18 +103,33 @@ std::string writeFile(const std::string& directory, const std::string& name, con
 	return file;
 }
 
+std::string writeTable(const CharpyTable& table, const std::string& directory)
+{
+	std::string names = writeFile(directory, table.name + ".csv", table.toCsv());
+	const std::string picture = table.toSvg();
+	if (!picture.empty())
+		names += ", " + writeFile(directory, table.name + ".svg", picture);
+	return names;
+}
+
 CharpyResult runAndReport(const CharpySettings& settings, const std::string& directory)
 {
 	Charpy charpy(settings);
 	makeDirectory(directory);
-	std::string curve = charpyCsvHead() + charpyCsvLine(charpy);
+	CharpyTable energies = energyTable();
+	addEnergies(energies, charpy);
 	while (!charpy.isOver() && charpy.time() < Charpy::LONGEST)
 	{
 		charpy.step();
-		curve += charpyCsvLine(charpy);
+		addEnergies(energies, charpy);
 	}
 	const CharpyResult result = charpy.result();
-	writeFile(directory, "energy.csv", curve);
+	writeFile(directory, "energy.csv", energies.toCsv());
+	// The picture shows the impact, not the swing.
+	const double from = charpy.time() - 1.2 * result.duration;
+	while (!energies.rows.empty() && energies.rows.front()[0] < from)
+		energies.rows.erase(energies.rows.begin());
+	writeFile(directory, "energy.svg", energies.toSvg());
 	writeFile(directory, "summary.json", toJson(result, settings));
 	return result;
 }
