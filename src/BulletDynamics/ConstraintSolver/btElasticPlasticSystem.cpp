@@ -334,7 +334,11 @@ void btElasticPlasticSystem::evaluate()
 	{
 		Law& law = m_laws[l];
 		const double impulse = (law.m_target - m_along[l]) / law.m_compliance;
-		const signed char bound = impulse > law.m_upper ? 1 : impulse < law.m_lower ? -1 : 0;
+		// Bounds without room between them, of friction where nothing presses, leave nothing to choose: on which side an impulse
+		// of rounding's size lies must not count as a change.
+		const signed char bound = impulse > law.m_upper || law.m_lower == law.m_upper ? 1
+								  : impulse < law.m_lower                             ? -1
+																					  : 0;
 		law.m_impulse = bound > 0 ? law.m_upper : bound < 0 ? law.m_lower : impulse;
 		m_boundsChanged |= bound != law.m_bound;
 		law.m_bound = bound;
