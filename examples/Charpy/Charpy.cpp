@@ -131,18 +131,17 @@ void Charpy::followBend()
 
 int Charpy::substepsIn(double dt) const
 {
-	if (!(m_settings.hingeStep > 0))
+	if (angle() + angularSpeed() * dt <= -m_settings.impactAngle)
 		return 1;
+	double parts = 1;
+	for (const auto& joint : m_joints)
+		parts = btMax(parts, dt / joint->longestStep());
 	// A hinge that is pushed at speed v between anvils a gap g apart bends by 2 v / (g / 2) per time when straight, less when
 	// bent. That holds from the first contact on: so it is known before, and a step does not begin with a surprise.
-	const bool near = angle() + angularSpeed() * dt > -m_settings.impactAngle;
 	const double pushed = 4 * std::fabs(angularSpeed()) * m_settings.arm / m_settings.gap;
-	double longest = HUGE_VAL;
-	if (near)
-		for (const auto& joint : m_joints)
-			longest = btMin(longest, joint->longestStep());
-	const double rate = near ? btMax(pushed, bendRate()) : 0;
-	return btMax(1, int(std::ceil(btMax(dt * rate / m_settings.hingeStep, dt / longest) - 1e-9)));
+	if (m_settings.hingeStep > 0)
+		parts = btMax(parts, dt * btMax(pushed, bendRate()) / m_settings.hingeStep);
+	return int(std::ceil(parts - 1e-9));
 }
 
 void Charpy::step() { step(stepAt(angle())); }

@@ -128,21 +128,16 @@ public:
 		return double(m_stiffness) * angle * angle / 2;
 	}
 
-protected:
-	btRigidBody* m_pieces[2];
-	btScalar m_stiffness;
-};
-
-/// Bullet weakens it where the step is longer than a quarter of its frequency's inverse (the paper's equation 16).
-class ExplicitSpring : public Spring<btGeneric6DofSpring2Constraint>
-{
-public:
-	using Spring::Spring;
+	/// It is explicit: with longer steps it explodes, or Bullet weakens it (the paper's equation 16).
 	double longestStep() const override
 	{
 		const double inverse = double(m_pieces[0]->getInvInertiaDiagLocal().y());
 		return 0.25 / std::sqrt(double(m_stiffness) * inverse);
 	}
+
+private:
+	btRigidBody* m_pieces[2];
+	btScalar m_stiffness;
 };
 
 /// A hinge whose motor brakes with the plastic moment; it lets go at the maximum rotation if it has one.
@@ -198,7 +193,7 @@ std::unique_ptr<CharpyJoint> makeCharpyJoint(World& world, CharpyEnergy& energy,
 				world, energy, s, p,
 				new btGeneric6DofSpringConstraint(*p.a, *p.b, in(*p.a, p.frame), in(*p.b, p.frame), true));
 		case CharpyWay::Spring2:
-			return std::make_unique<ExplicitSpring>(
+			return std::make_unique<Spring<btGeneric6DofSpring2Constraint>>(
 				world, energy, s, p,
 				new btGeneric6DofSpring2Constraint(*p.a, *p.b, in(*p.a, p.frame), in(*p.b, p.frame)));
 		case CharpyWay::HingeMotor:

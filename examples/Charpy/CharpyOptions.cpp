@@ -78,7 +78,7 @@ CharpyOptions::CharpyOptions(CLI::App& app)
 	addName(app, "--geometry", "Of hammer and anvils", &CharpySettings::geometry, charpyGeometries());
 	addName(app, "--solver", "Bullet's, or ours in one of its forms", &CharpySettings::solver, charpySolvers());
 	addNumber(app, "--dt", "Time step in the impact [ms]", &CharpySettings::step, 1e-3, 1e-4, 5);
-	addNumber(app, "--hinge-step", "Greatest rotation of the hinge in an internal substep, 0: no substeps [rad]",
+	addNumber(app, "--hinge-step", "Greatest rotation of the hinge in an internal substep, 0: no bound [rad]",
 			  &CharpySettings::hingeStep, 1, 0, 1);
 	addNumber(app, "--iterations", "Of the solver, where it iterates", &CharpySettings::iterations, 1, 100000);
 	addNumber(app, "--friction", "Coefficient of friction of all contacts", &CharpySettings::friction, 1, 0, 2);

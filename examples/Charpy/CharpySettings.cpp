@@ -106,9 +106,9 @@ std::string CharpySettings::fault() const
 		if (!(r.value >= r.low && r.value <= r.high))
 			return outOfRange(r);
 	if (hingeStep > 0 && hingeStep < 1e-4)
-		return outOfRange({"rotation of the hinge in a substep [rad] (0: no substeps)", hingeStep, 1e-4, 1});
+		return outOfRange({"rotation of the hinge in a substep [rad] (0: no bound)", hingeStep, 1e-4, 1});
 	if (pieces % 2 != 0)
-		return "number of pieces is " + std::to_string(pieces) +
+		return "number of pieces (--pieces) is " + std::to_string(pieces) +
 			   "; it must be even: the notch is between the middle ones";
 	return std::string();
 }

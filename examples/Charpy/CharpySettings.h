@@ -87,10 +87,10 @@ struct CharpySettings
 	double swingStep = 5e-3;    ///< outside of it [s]
 	double impactAngle = 0.05;  ///< of the hammer to each side, in which step holds [rad]
 	double swingAngle = 0.2;    ///< of the hammer, beyond which swingStep holds; linear between the two [rad]
-	double hingeStep = 0.015;   ///< greatest rotation of the hinge in an internal substep [rad]; 0: no substeps
+	double hingeStep = 0.0075;  ///< greatest rotation of the hinge in an internal substep [rad]; 0: no bound
 	bool preciseContacts =
 		true;  ///< thin margins, clipped faces, penetration goes without energy; false: Bullet's defaults
-	double lengthsPerMetre = 100;  ///< Bullet's unit of length: its tolerances, and float, want bodies of size 1
+	double lengthsPerMetre = 50;  ///< Bullet's unit of length: its tolerances, and float, want bodies of size 1
 
 	/// As in the paper: geometry, scheme, time stepping, and Bullet's defaults for all that it leaves open.
 	static CharpySettings paper();
