@@ -91,7 +91,7 @@ CharpyShape pieceShape(const CharpySettings& s, int i)
 		const bool inner = side < 0 ? i > 0 : i + 1 < n;
 		const double end = side * length / 2, flat = inner ? end - side * along : end, low = inner ? x - depth : x;
 		for (const btVector3& c :
-			 {corner(-side * -x, flat), corner(-side * -low, end), corner(-side * low, end), corner(-side * x, flat)})
+			 {corner(side * x, flat), corner(-side * -low, end), corner(-side * low, end), corner(-side * x, flat)})
 			shape.plan.push_back(c);
 	}
 	return shape;

@@ -150,6 +150,9 @@ std::string CharpyTable::toSvg() const
 				yHigh = std::max(yHigh, row[s.column]);
 			}
 	}
+	// What is below zero by a hair's breadth needs no room.
+	if (yLow > -0.02 * yHigh)
+		yLow = 0;
 	const double left = 70, right = 520, top = 50, bottom = 370, legend = 535;
 	const Axis x(xLow, xHigh, left, right, logarithmic), y(yLow, yHigh, bottom, top, false);
 	std::string svg =

@@ -1,9 +1,15 @@
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 
 #include "CharpyOptions.h"
+#include "CharpyPictures.h"
 #include "CharpyReport.h"
+#include "CharpyScene.h"
 #include "CharpyStudies.h"
+#ifdef EP_WITH_VIEWER
+#include "viewer.h"
+#endif
 
 namespace
 {
@@ -11,7 +17,13 @@ struct Options
 {
 	explicit Options(CLI::App& app) : scene(app)
 	{
-		app.add_flag("--headless", headless, "No window: one line on the terminal, summary.json and energy.csv");
+		app.add_flag("--headless", headless,
+					 "No window: one line on the terminal, summary.json, energy.csv and energy.svg");
+		app.add_flag("--pictures", pictures, "Leave pictures of the test, and no more");
+		app.add_option("--screenshot", screenshot, "Open the window, save a PNG there, and end");
+		app.add_option("--after", after, "Time in the window before the screenshot [s]")
+			->capture_default_str()
+			->check(CLI::Range(0.0, 60.0));
 		app.add_option("--out", out, "Directory for what is left")->capture_default_str();
 		std::vector<std::string> names = {"all"};
 		std::string help = "Many tests with these settings, their results as a table, CSV and SVG: all";
@@ -24,7 +36,9 @@ struct Options
 	}
 
 	ep::CharpyOptions scene;
-	bool headless = false;
+	bool headless = false, pictures = false;
+	std::string screenshot;
+	double after = 3;
 	std::string out = "charpy-output";
 	std::string study;
 };
@@ -42,6 +56,47 @@ void runStudies(const Options& o)
 			std::fflush(stdout);
 		}
 }
+bool hasDisplay()
+{
+#if !defined(EP_WITH_VIEWER)
+	return false;
+#elif defined(__unix__) && !defined(__APPLE__)
+	const char* const display = std::getenv("DISPLAY");
+	return display && *display;
+#else
+	return true;
+#endif
+}
+
+void runWindow(const Options& o)
+{
+#ifdef EP_WITH_VIEWER
+	ep::CharpyScene scene(o.scene.settings());
+	ep::ViewerOptions viewer;
+	viewer.screenshot = o.screenshot;
+	viewer.screenshotTime = o.after;
+	ep::runViewer(scene, viewer);
+#else
+	(void)o;
+#endif
+}
+
+void run(const Options& o)
+{
+	if (!o.study.empty())
+		return runStudies(o);
+	if (o.pictures)
+	{
+		ep::makeDirectory(o.out);
+		return ep::takeCharpyPictures(o.scene.settings(), o.out);
+	}
+	if (!o.headless && hasDisplay())
+		return runWindow(o);
+	if (!o.screenshot.empty())
+		throw std::runtime_error(
+			"no screenshot of the window: there is no display, or it was built without the viewer");
+	std::printf("%s\n", toLine(ep::runAndReport(o.scene.settings(), o.out)).c_str());
+}
 }  // namespace
 
 int main(int argc, char** argv)
@@ -51,10 +106,7 @@ int main(int argc, char** argv)
 	CLI11_PARSE(app, argc, argv);
 	try
 	{
-		if (!options.study.empty())
-			runStudies(options);
-		else
-			std::printf("%s\n", toLine(ep::runAndReport(options.scene.settings(), options.out)).c_str());
+		run(options);
 	}
 	catch (const std::exception& error)
 	{
