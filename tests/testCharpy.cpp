@@ -143,9 +143,10 @@ TEST(Charpy, PlasticWorkIsMomentTimesAngle)
 		const CharpyResult r = run(with(solver, 0));
 		// Only the notch bends. 0.5 %: the elastic bend springs back, the pieces' axes are not quite in one plane.
 		EXPECT_NEAR(r.plasticWork / (r.plasticMoment * r.hingeAngle), 1, 0.005);
-		// By geometry it passes at 1.991 rad. Margins of 0.2 mm round the corners that pass each other, which takes 0.2 mm
-		// of the half's length, that is 0.012 rad, and a moving half overtakes the corner.
-		EXPECT_NEAR(r.hingeAngle, r.passingAngle, 0.03);
+		// What passes at 1.991 rad by geometry springs back by 0.021 rad. Margins round the corners that pass each other by
+		// 0.2 mm: so much less of the half's length is 0.012 rad.
+		const CharpySettings s;
+		EXPECT_NEAR(r.hingeAngle, r.passingAngle - s.plasticMoment() / s.hingeStiffness(), 0.012);
 		EXPECT_LT(std::fabs(r.numericalDissipation), 0.01 * r.loss());
 	}
 }
@@ -158,30 +159,30 @@ TEST(Charpy, FrictionTakesItsShare)
 		const CharpyResult r = run(with(Solver::Direct, friction));
 		EXPECT_GT(r.loss(), last + 5) << friction;
 		last = r.loss();
-		EXPECT_NEAR(r.plasticWork, r.plasticMoment * r.passingAngle, 0.02 * r.plasticWork) << friction;
+		EXPECT_NEAR(r.plasticWork / CharpySettings().passingPlasticWork(), 1, 0.01) << friction;  // as below
 	}
 }
 
 TEST(Charpy, EnergyFollowsThePlasticMoment)
 {
-	// The same bend whatever the moment; the elastic part of the bend grows with it, 0.01 rad at 800 MPa: 3 %.
+	// Rounded corners are good for 0.6 %, see above; the bend in which a substep ends, half of 0.0075 rad, for 0.2 %.
 	for (double yield : {200e6, 300e6, 600e6, 800e6})
 	{
 		CharpySettings s = with(Solver::Direct, 0);
 		s.yieldStress = yield;
-		EXPECT_NEAR(run(s).plasticWork / s.passingEnergy(), 1, 0.03) << yield;
+		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << yield;
 	}
 	for (double notch : {1e-3, 3e-3, 5e-3})
 	{
 		CharpySettings s = with(Solver::Direct, 0);
 		s.notch = notch;
-		EXPECT_NEAR(run(s).plasticWork / s.passingEnergy(), 1, 0.03) << notch;
+		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << notch;
 	}
 	for (double width : {5e-3, 20e-3})
 	{
 		CharpySettings s = with(Solver::Direct, 0);
 		s.width = width;
-		EXPECT_NEAR(run(s).plasticWork / s.passingEnergy(), 1, 0.03) << width;
+		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << width;
 	}
 }
 
@@ -200,7 +201,7 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 			SCOPED_TRACE(testing::Message() << int(way) << " " << rotation);
 			EXPECT_TRUE(r.broken);
 			EXPECT_EQ(CharpyOutcome::Passed, r.outcome);
-			// A break is noticed at the end of a substep; with rates up to twice the hinge's own a step late.
+			// A break is noticed at the end of a substep; just after the blow that may turn the hinge by more than its bound.
 			EXPECT_NEAR(r.plasticWork, r.plasticMoment * rotation, 1.5 * r.plasticMoment * s.hingeStep);
 			EXPECT_GT(r.loss(), last);
 			last = r.loss();
@@ -246,7 +247,8 @@ TEST(Charpy, EachWayDoesWhatItCan)
 	s.way = CharpyWay::HingeMotor;
 	const CharpyResult motor = run(s);
 	EXPECT_EQ(CharpyOutcome::Passed, motor.outcome);
-	EXPECT_NEAR(motor.plasticWork, motor.plasticMoment * motor.passingAngle, 0.02 * motor.plasticWork);  // as above
+	// It has no elasticity to spring back.
+	EXPECT_NEAR(motor.plasticWork, motor.plasticMoment * motor.passingAngle, 0.01 * motor.plasticWork);  // as above
 }
 
 TEST(Charpy, MorePiecesBendAtTheNotchToo)

@@ -113,8 +113,21 @@ struct CharpySettings
 	/// half of the gap g: t = acos(g / (2 sqrt(l^2 + c^2))) + atan(c / l). [rad]
 	double passingAngle() const;
 
-	/// What bending it that far takes, the paper's expected loss [J].
+	/// What bending it that far takes if it has no elasticity: the paper's expected loss [J].
 	double passingEnergy() const { return plasticMoment() * passingAngle(); }
+
+	/// k = E I / l of the ligament, l the distance of the pieces' middles [N m/rad].
+	double hingeStiffness() const
+	{
+		const double ligament = height - notch;
+		return youngsModulus * width * ligament * ligament * ligament / 12 / (length / pieces);
+	}
+
+	/// The elastic part of the bend, M / k, springs back: M (passing angle - M / k). [J]
+	double passingPlasticWork() const
+	{
+		return plasticMoment() * (passingAngle() - plasticMoment() / hingeStiffness());
+	}
 };
 }  // namespace ep
 

@@ -104,7 +104,7 @@ CharpyTable ways(const CharpySettings& settings)
 	return t;
 }
 
-/// A sweep of one setting, beside the exact M theta.
+/// A sweep of one setting, beside the exact M (theta - M / k).
 CharpyTable sweep(const CharpySettings& settings, const char* name, const char* title, double CharpySettings::*field,
 				  const char* column, double unit, double from, double to, int steps)
 {
@@ -112,10 +112,8 @@ CharpyTable sweep(const CharpySettings& settings, const char* name, const char* 
 	t.name = name;
 	t.title = title;
 	t.yTitle = "energy [J]";
-	t.columns = {column,          "M theta, geometry",
-				 "plastic work",  "loss",
-				 "friction work", "kinetic energy of the pieces",
-				 "hinge_rad",     "broken",
+	t.columns = {column,          "exact plastic work",           "plastic work", "loss",
+				 "friction work", "kinetic energy of the pieces", "hinge_rad",    "broken",
 				 "bounced"};
 	t.series = {{1, true}, {2, false}, {3, false}, {4, false}, {5, false}};
 	for (int i = 0; i <= steps; ++i)
@@ -124,7 +122,7 @@ CharpyTable sweep(const CharpySettings& settings, const char* name, const char* 
 		const double value = from + (to - from) * i / steps;
 		s.*field = value * unit;
 		const CharpyResult r = Charpy(s).run();
-		t.add({value, s.plasticMoment() * btMin(s.maxRotation, s.passingAngle()), r.plasticWork, r.loss(),
+		t.add({value, btMin(s.plasticMoment() * s.maxRotation, s.passingPlasticWork()), r.plasticWork, r.loss(),
 			   r.frictionWork, r.specimenEnergy, r.hingeAngle, double(r.broken),
 			   double(r.outcome == CharpyOutcome::Bounced)});
 	}
