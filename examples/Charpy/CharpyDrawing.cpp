@@ -7,7 +7,7 @@ namespace ep
 namespace
 {
 const Colour HAMMER = {.16f, .22f, .32f}, ANVIL = {.30f, .30f, .31f},
-			 HALF[2] = {{.62f, .33f, .12f}, {.66f, .45f, .14f}};
+			 HALF[2] = {{.60f, .20f, .005f}, {.75f, .42f, .01f}};
 
 template <class... Values>
 std::string format(const char* pattern, Values... values)
@@ -68,7 +68,7 @@ Drawing drawCharpy(const Charpy& charpy, bool cut)
 
 	// Looking against the blow.
 	drawing.subject =
-		btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_PI), btVector3(0, btScalar(CHARPY_DRAWN_LEVEL + 3), 0));
+		btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_PI), btVector3(-5, btScalar(CHARPY_DRAWN_LEVEL), 0));
 	const CharpyResult r = charpy.result();
 	drawing.text = {
 		format("%s, %s", charpyNameOf(charpyWays(), s.way).c_str(),
