@@ -17,8 +17,8 @@ public:
 	std::string title() const override { return "Charpy"; }
 	btScalar stepTime() const override { return btScalar(1) / 60; }
 	void step(const Controls& controls) override;
-	void restart() override { m_charpy.reset(new Charpy(m_settings)); }
-	Drawing draw() const override { return drawCharpy(*m_charpy, m_cut); }
+	void restart() override;
+	Drawing draw() const override;
 	btVector3 centre() const override { return btVector3(0, btScalar(CHARPY_DRAWN_LEVEL), 0); }
 	btScalar extent() const override { return 110; }
 	void key(char key) override;
@@ -28,6 +28,7 @@ private:
 	CharpySettings m_settings;
 	std::unique_ptr<Charpy> m_charpy;
 	bool m_cut = true;
+	std::vector<CharpyResult> m_history;  ///< from the blow on, a picture each
 };
 }  // namespace ep
 
