@@ -23,8 +23,8 @@ struct Plot
 		std::string m_name;
 		std::vector<std::pair<double, double>> m_points;
 		Style m_style = SOLID;
-		int m_color = -1;                 ///< of the palette, -1: the next one
-		std::vector<std::string> m_tips;  ///< per point, shown under the mouse; may be empty
+		int m_color = -1;                      ///< of the palette, -1: the next one
+		std::vector<std::string> m_tips = {};  ///< per point, shown under the mouse; may be empty
 	};
 
 	std::string m_title, m_xLabel, m_yLabel;

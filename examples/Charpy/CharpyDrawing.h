@@ -1,0 +1,20 @@
+#ifndef EP_CHARPY_DRAWING_H
+#define EP_CHARPY_DRAWING_H
+
+#include "Charpy.h"
+#include "Drawing.h"
+
+namespace ep
+{
+/// The viewer is made for things of a building's size: it gets a metre for each centimetre.
+constexpr double CHARPY_DRAWN_PER_METRE = 100;
+
+/// Height of the blow above the drawing's ground, drawn length.
+constexpr double CHARPY_DRAWN_LEVEL = 30;
+
+/// The test as it stands, drawn larger than it is.
+/// \param cut  hammer and anvils only up to just above the specimen, which they hide otherwise
+Drawing drawCharpy(const Charpy& charpy, bool cut);
+}  // namespace ep
+
+#endif  // EP_CHARPY_DRAWING_H

@@ -1,0 +1,105 @@
+#include "CharpyOptions.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace ep
+{
+namespace
+{
+std::string format(const char* pattern, double a, double b)
+{
+	char text[128];
+	std::snprintf(text, sizeof text, pattern, a, b);
+	return text;
+}
+
+/// CLI::Range lets what is not a number pass.
+CLI::Validator range(double low, double high)
+{
+	const auto check = [low, high](std::string& text)
+	{
+		double value = 0;
+		if (!CLI::detail::lexical_cast(text, value))
+			return "'" + text + "' is no number; " + format("it must be from %g to %g", low, high);
+		if (!(value >= low && value <= high))
+			return "'" + text + "' is out of range; " + format("it must be from %g to %g", low, high);
+		return std::string();
+	};
+	return CLI::Validator(check, format("%g to %g", low, high));
+}
+}  // namespace
+
+void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help, double CharpySettings::*field,
+							  double unit, double low, double high)
+{
+	const auto take = [this, field, unit](const double& value)
+	{ m_given.push_back([field, value, unit](CharpySettings& s) { s.*field = value * unit; }); };
+	CLI::Option* const option = app.add_option_function<double>(name, take, help);
+	option->check(range(low, high))->default_str(format("%g", CharpySettings().*field / unit, 0));
+}
+
+void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help, int CharpySettings::*field, int low,
+							  int high)
+{
+	const auto take = [this, field](const int& value)
+	{ m_given.push_back([field, value](CharpySettings& s) { s.*field = value; }); };
+	CLI::Option* const option = app.add_option_function<int>(name, take, help);
+	option->check(range(low, high))->default_str(format("%g", CharpySettings().*field, 0));
+}
+
+template <class Value>
+void CharpyOptions::addName(CLI::App& app, const char* name, const char* help, Value CharpySettings::*field,
+							const std::vector<CharpyName<Value>>& names)
+{
+	const auto take = [this, field, &names](const std::string& text)
+	{
+		for (const CharpyName<Value>& n : names)
+			if (text == n.name)
+				m_given.push_back([field, value = n.value](CharpySettings& s) { s.*field = value; });
+	};
+	std::vector<std::string> choices;
+	for (const CharpyName<Value>& n : names)
+		choices.push_back(n.name);
+	app.add_option_function<std::string>(name, take, help)
+		->check(CLI::IsMember(choices))
+		->default_str(charpyNameOf(names, CharpySettings().*field));
+}
+
+CharpyOptions::CharpyOptions(CLI::App& app)
+{
+	app.add_option(
+		   "--preset", m_preset,
+		   "What all other settings begin with: paper (its geometry, scheme, time stepping, and Bullet's defaults) "
+		   "or repeatable, whose defaults are listed here")
+		->capture_default_str()
+		->check(CLI::IsMember({"repeatable", "paper"}));
+	addName(app, "--joint", "How the specimen holds together", &CharpySettings::way, charpyWays());
+	addName(app, "--geometry", "Of hammer and anvils", &CharpySettings::geometry, charpyGeometries());
+	addName(app, "--solver", "Bullet's, or ours in one of its forms", &CharpySettings::solver, charpySolvers());
+	addNumber(app, "--dt", "Time step in the impact [ms]", &CharpySettings::step, 1e-3, 1e-4, 5);
+	addNumber(app, "--hinge-step", "Greatest rotation of the hinge in an internal substep, 0: no bound [rad]",
+			  &CharpySettings::hingeStep, 1, 0, 1);
+	addNumber(app, "--iterations", "Of the solver, where it iterates", &CharpySettings::iterations, 1, 100000);
+	addNumber(app, "--friction", "Coefficient of friction of all contacts", &CharpySettings::friction, 1, 0, 2);
+	addNumber(app, "--restitution", "Of all contacts", &CharpySettings::restitution, 1, 0, 1);
+	addNumber(app, "--yield", "Yield stress [MPa]", &CharpySettings::yieldStress, 1e6, 1, 1e5);
+	addNumber(app, "--max-rotation", "Plastic rotation at which a joint breaks [rad]", &CharpySettings::maxRotation, 1,
+			  1e-6, 100);
+	addNumber(app, "--notch", "Depth of the notch [mm]", &CharpySettings::notch, 1e-3, 0, 9);
+	addNumber(app, "--width", "Of the specimen's section, upright [mm]", &CharpySettings::width, 1e-3, 1, 100);
+	addNumber(app, "--pieces", "Of the specimen, an even number", &CharpySettings::pieces, 2, 64);
+	addNumber(app, "--release", "Angle from which the hammer falls [rad]", &CharpySettings::release, 1, 0.2, 2.8);
+	addNumber(app, "--shift", "Of the hammer along the blow [um]", &CharpySettings::shift, 1e-6, -2000, 2000);
+	addNumber(app, "--lengths-per-metre", "Bullet's units of length in a metre", &CharpySettings::lengthsPerMetre, 1,
+			  0.01, 1e4);
+}
+
+CharpySettings CharpyOptions::settings() const
+{
+	CharpySettings s = m_preset == "paper" ? CharpySettings::paper() : CharpySettings();
+	for (const auto& give : m_given)
+		give(s);
+	return s;
+}
+}  // namespace ep

@@ -1,0 +1,31 @@
+#ifndef EP_CHARPY_OPTIONS_H
+#define EP_CHARPY_OPTIONS_H
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "CharpySettings.h"
+
+namespace ep
+{
+/// The command line's settings: those named win over those of the preset.
+class CharpyOptions
+{
+public:
+	explicit CharpyOptions(CLI::App& app);
+	CharpySettings settings() const;
+
+private:
+	void addNumber(CLI::App& app, const char* name, const char* help, double CharpySettings::*field, double unit,
+				   double low, double high);
+	void addNumber(CLI::App& app, const char* name, const char* help, int CharpySettings::*field, int low, int high);
+	template <class Value>
+	void addName(CLI::App& app, const char* name, const char* help, Value CharpySettings::*field,
+				 const std::vector<CharpyName<Value>>& names);
+
+	std::string m_preset = "repeatable";
+	std::vector<std::function<void(CharpySettings&)>> m_given;
+};
+}  // namespace ep
+
+#endif  // EP_CHARPY_OPTIONS_H

@@ -1,0 +1,136 @@
+#include "CharpyReport.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace ep
+{
+std::string toJson(const CharpyResult& r, const CharpySettings& s)
+{
+	// Ordered: the reader finds what he looks for first.
+	const nlohmann::ordered_json json = {
+		{"outcome", nameOf(r.outcome)},
+		{"broken", r.broken},
+		{"loss_J", r.loss()},
+		{"plastic_work_J", r.plasticWork},
+		{"hinge_angle_rad", r.hingeAngle},
+		{"specimen_kinetic_energy_J", r.specimenEnergy},
+		{"friction_work_J", r.frictionWork},
+		{"contact_work_J", r.contactWork},
+		{"elastic_energy_J", r.elasticEnergy},
+		{"numerical_dissipation_J", r.numericalDissipation},
+		{"audit_error", r.auditError()},
+		{"hammer_energy_before_J", r.hammerBefore},
+		{"hammer_energy_after_J", r.hammerAfter},
+		{"blow_speed_m_s", r.blowSpeed},
+		{"plastic_moment_Nm", r.plasticMoment},
+		{"passing_angle_rad", r.passingAngle},
+		{"passing_energy_J", r.plasticMoment * r.passingAngle},
+		{"deepest_penetration_m", r.deepest},
+		{"impact_time_s", r.duration},
+		{"substeps", r.substeps},
+		{"settings",
+		 {{"joint", charpyNameOf(charpyWays(), s.way)},
+		  {"geometry", charpyNameOf(charpyGeometries(), s.geometry)},
+		  {"solver", charpyNameOf(charpySolvers(), s.solver)},
+		  {"precision", sizeof(btScalar) == sizeof(double) ? "double" : "float"},
+		  {"iterations", s.iterations},
+		  {"step_s", s.step},
+		  {"hinge_step_rad", s.hingeStep},
+		  {"friction", s.friction},
+		  {"restitution", s.restitution},
+		  {"pieces", s.pieces},
+		  {"yield_stress_Pa", s.yieldStress},
+		  {"notch_m", s.notch},
+		  {"width_m", s.width},
+		  {"max_rotation_rad", s.maxRotation},
+		  {"release_rad", s.release},
+		  {"shift_m", s.shift}}},
+	};
+	return json.dump(2) + "\n";
+}
+
+std::string toLine(const CharpyResult& r)
+{
+	char text[320];
+	std::snprintf(text, sizeof text,
+				  "%s%s: loss %.2f J = plastic %.2f + kinetic %.2f + friction %.2f + contacts %.2f + elastic %.2f + "
+				  "numerical %.2f J (audit %+.3f %%); hinge %.3f rad, by geometry %.3f rad and %.1f J",
+				  nameOf(r.outcome), r.broken ? ", broken" : "", r.loss(), r.plasticWork, r.specimenEnergy,
+				  r.frictionWork, r.contactWork, r.elasticEnergy, r.numericalDissipation, 100 * r.auditError(),
+				  r.hingeAngle, r.passingAngle, r.plasticMoment * r.passingAngle);
+	return text;
+}
+
+CharpyTable energyTable()
+{
+	CharpyTable t;
+	t.name = "energy";
+	t.title = "Where the hammer's energy goes";
+	t.yTitle = "energy [J]";
+	t.columns = {"time_s",           "hammer_energy_J", "plastic_work_J",   "specimen_kinetic_energy_J",
+				 "friction_work_J",  "contact_work_J",  "elastic_energy_J", "numerical_dissipation_J",
+				 "hammer_angle_rad", "hinge_angle_rad"};
+	for (size_t column = 1; column <= 7; ++column)
+		t.series.push_back({column, true});
+	return t;
+}
+
+void addEnergies(CharpyTable& table, const Charpy& charpy)
+{
+	const CharpyResult r = charpy.result();
+	table.add({charpy.time(), r.hammerAfter, r.plasticWork, r.specimenEnergy, r.frictionWork, r.contactWork,
+			   r.elasticEnergy, r.numericalDissipation, charpy.angle(), r.hingeAngle});
+}
+
+void makeDirectory(const std::string& directory)
+{
+	std::error_code error;
+	std::filesystem::create_directories(directory, error);
+	if (error)
+		throw std::runtime_error("cannot make the directory '" + directory + "' (--out): " + error.message());
+}
+
+std::string writeFile(const std::string& directory, const std::string& name, const std::string& text)
+{
+	const std::string file = (std::filesystem::path(directory) / name).string();
+	std::ofstream stream(file);
+	if (!(stream << text << std::flush))
+		throw std::runtime_error("cannot write the file '" + file + "'");
+	return file;
+}
+
+std::string writeTable(const CharpyTable& table, const std::string& directory)
+{
+	std::string names = writeFile(directory, table.name + ".csv", table.toCsv());
+	const std::string picture = table.toSvg();
+	if (!picture.empty())
+		names += ", " + writeFile(directory, table.name + ".svg", picture);
+	return names;
+}
+
+CharpyResult runAndReport(const CharpySettings& settings, const std::string& directory)
+{
+	Charpy charpy(settings);
+	makeDirectory(directory);
+	CharpyTable energies = energyTable();
+	addEnergies(energies, charpy);
+	while (!charpy.isOver() && charpy.time() < Charpy::LONGEST)
+	{
+		charpy.step();
+		addEnergies(energies, charpy);
+	}
+	const CharpyResult result = charpy.result();
+	writeFile(directory, "energy.csv", energies.toCsv());
+	// The picture shows the impact, not the swing.
+	const double from = charpy.time() - 1.2 * result.duration;
+	while (!energies.rows.empty() && energies.rows.front()[0] < from)
+		energies.rows.erase(energies.rows.begin());
+	writeFile(directory, "energy.svg", energies.toSvg());
+	writeFile(directory, "summary.json", toJson(result, settings));
+	return result;
+}
+}  // namespace ep

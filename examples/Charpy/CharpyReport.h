@@ -1,0 +1,31 @@
+#ifndef EP_CHARPY_REPORT_H
+#define EP_CHARPY_REPORT_H
+
+#include "Charpy.h"
+#include "CharpyTable.h"
+
+namespace ep
+{
+/// The result and what it was got with in JSON, units in the names.
+std::string toJson(const CharpyResult& result, const CharpySettings& settings);
+
+/// One line for the terminal.
+std::string toLine(const CharpyResult& result);
+
+/// Energies over time, a row for each step of the time stepping.
+CharpyTable energyTable();
+void addEnergies(CharpyTable& table, const Charpy& charpy);
+
+/// Makes the directory if it is not there. Throws std::runtime_error.
+void makeDirectory(const std::string& directory);
+
+/// Writes a file. \return its name. Throws std::runtime_error.
+std::string writeFile(const std::string& directory, const std::string& name, const std::string& text);
+
+/// Runs a test and leaves summary.json, energy.csv and energy.svg in a directory.
+CharpyResult runAndReport(const CharpySettings& settings, const std::string& directory);
+/// Writes a table, and its picture if it has one. \return the files' names
+std::string writeTable(const CharpyTable& table, const std::string& directory);
+}  // namespace ep
+
+#endif  // EP_CHARPY_REPORT_H

@@ -1,0 +1,35 @@
+#ifndef EP_CHARPY_SCENE_H
+#define EP_CHARPY_SCENE_H
+
+#include "CharpyDrawing.h"
+#include "ViewedScene.h"
+
+namespace ep
+{
+/// The Charpy test as something to look at: the swing at its speed, the impact step by step.
+class CharpyScene : public ViewedScene
+{
+public:
+	explicit CharpyScene(const CharpySettings& settings) : m_settings(settings) { restart(); }
+
+	const Charpy& charpy() const { return *m_charpy; }
+
+	std::string title() const override { return "Charpy"; }
+	btScalar stepTime() const override { return btScalar(1) / 60; }
+	void step(const Controls& controls) override;
+	void restart() override;
+	Drawing draw() const override;
+	btVector3 centre() const override { return btVector3(0, btScalar(CHARPY_DRAWN_LEVEL), 0); }
+	btScalar extent() const override { return 110; }
+	void key(char key) override;
+	std::vector<std::string> keyHelp() const override;
+
+private:
+	CharpySettings m_settings;
+	std::unique_ptr<Charpy> m_charpy;
+	bool m_cut = true;
+	std::vector<CharpyResult> m_history;  ///< from the blow on, a picture each
+};
+}  // namespace ep
+
+#endif  // EP_CHARPY_SCENE_H
