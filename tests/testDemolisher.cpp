@@ -5,6 +5,7 @@
 
 #include "Demolisher.h"
 #include "DemolisherScene.h"
+#include "DirectSolver.h"
 #include "Precision.h"
 #include "Summary.h"
 
@@ -112,6 +113,9 @@ TEST(Demolisher, AutopilotCrossesAndLeavesTheBridgeBent)
 	EXPECT_GE(s.yielded, 2);
 	EXPECT_LT(s.yielded, s.joints);
 	EXPECT_EQ(s.broken, 0);
+	// The vehicle's weight and impulses in the direct form's islands.
+	EXPECT_EQ(statisticsOf(demolisher.world()).m_fallbacks, 0);
+	EXPECT_GT(statisticsOf(demolisher.world()).m_islands, 0);
 	// 0.361 m and 461 kJ with 32 substeps of 400 iterations.
 	EXPECT_NEAR(s.sag, .36, .03);
 	EXPECT_NEAR(s.plasticEnergy, 461e3, 46e3);

@@ -36,7 +36,7 @@ public:
 	~btElasticPlasticAction() override;
 
 	/// Takes a joint into the books; the world gets it, as ever, by btDynamicsWorld::addConstraint.
-	/// A joint belongs to one action; adding it again does nothing.
+	/// A joint belongs to one action; adding it again does nothing, adding it to another one moves it there.
 	/// \return false if the joint is refused, see btElasticPlasticJoint::fault; the listener is told why.
 	bool addJoint(btElasticPlasticJoint* joint);
 

@@ -47,6 +47,7 @@ btElasticPlasticConstraintSolver : public btSequentialImpulseConstraintSolver
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
+	/// To be chosen once: what iterations have left unsolved is strain that the direct form takes seriously.
 	void setForm(btElasticPlasticForm form) { m_form = form; }
 	btElasticPlasticForm getForm() const { return m_form; }
 
