@@ -88,20 +88,11 @@ void StiffStructure::join(btRigidBody& a, btRigidBody& b, const btVector3& place
 	const btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
 		concrete(), btElasticPlasticSection::rectangle(part.m_width, part.m_height), part.m_length, part.m_length);
 	++m_numJoints;
+	// Not by the world's method, which keeps a joint of ours beside each of Bullet's: memory counts here.
 	if (m_settings.joints == Joints::ElasticPlastic)
-	{
 		m_world.joint(a, b, frame, capacity);
-		return;
-	}
-	auto* springs = new btGeneric6DofSpring2Constraint(a, b, a.getCenterOfMassTransform().inverse() * frame,
-													   b.getCenterOfMassTransform().inverse() * frame);
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-	{
-		springs->setLimit(i, 1, -1);
-		springs->enableSpring(i, true);
-		springs->setStiffness(i, capacity.m_stiffness[i]);
-	}
-	m_world.add(springs);
+	else
+		m_world.add(makeBulletsOwn(m_settings.joints, a, b, frame, capacity));
 }
 
 void StiffStructure::buildChain(int blocks, btScalar z)

@@ -19,17 +19,12 @@ public:
 		Frame,   ///< a building: size x size columns, one and a half times as many storeys, four joints a member
 		Wall     ///< size x size blocks on piers, with openings between them
 	};
-	enum class Joints
-	{
-		Springs,  ///< btGeneric6DofSpring2Constraint, six springs of the same stiffness: what a game has without us
-		ElasticPlastic  ///< btElasticPlastic6DofSpring2Constraint
-	};
 
 	struct Settings
 	{
 		Shape shape = Shape::Chain;
 		int size = 10;
-		Joints joints = Joints::ElasticPlastic;
+		Joints joints = Joints::ElasticPlastic;  ///< or Springs: what a game has without us
 		Solver solver = Solver::Direct;
 		bool collapsing = false;   ///< everything is given a push that makes joints yield all over
 		bool splitIslands = true;  ///< Bullet's default; if not, our solver splits them, and Bullet's takes all at once

@@ -20,7 +20,7 @@ void Direct(benchmark::State& state, StiffStructure::Shape shape, bool collapsin
 	settings.collapsing = collapsing;
 	settings.splitIslands = splitIslands;
 	StiffStructure ours(settings);
-	settings.joints = StiffStructure::Joints::Springs;
+	settings.joints = Joints::Springs;
 	settings.solver = Solver::Stock;
 	StiffStructure stock(settings);
 	auto& solver = static_cast<btElasticPlasticConstraintSolver&>(*ours.world().bullet().getConstraintSolver());

@@ -10,6 +10,7 @@
 #include <benchmark/benchmark.h>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+#include "StiffStructure.h"
 #include "World.h"
 
 namespace
@@ -116,29 +117,16 @@ public:
 private:
 	void join(btRigidBody& a, btRigidBody& b, const btTransform& frame)
 	{
-		const btTransform inA = a.getCenterOfMassTransform().inverse() * frame,
-						  inB = b.getCenterOfMassTransform().inverse() * frame;
 		const int index = m_joints++;
-		if (m_kind == Kind::Fixed)
-		{
-			m_world.add(new btFixedConstraint(a, b, inA, inB));
-			return;
-		}
 		btElasticPlasticCapacity capacity =
 			btElasticPlasticCapacity::fromMember(btElasticPlasticMaterial::reinforcedConcrete(btScalar(0.01)),
 												 btElasticPlasticSection::rectangle(1, 1), 1, 1);
 		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 			capacity.m_ductility[i] = btElasticPlasticCapacity::unlimited();
-		if (m_kind == Kind::Spring2)
+		if (m_kind == Kind::Fixed || m_kind == Kind::Spring2)
 		{
-			auto* joint = new btGeneric6DofSpring2Constraint(a, b, inA, inB);
-			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-			{
-				joint->setLimit(i, 1, -1);
-				joint->enableSpring(i, true);
-				joint->setStiffness(i, capacity.m_stiffness[i]);
-			}
-			m_world.add(joint);
+			const Joints joints = m_kind == Kind::Fixed ? Joints::Fixed : Joints::Springs;
+			m_world.add(makeBulletsOwn(joints, a, b, frame, capacity));
 			return;
 		}
 		if (m_kind == Kind::AllBroken || (m_kind == Kind::HalfBroken && index % 2))
@@ -178,20 +166,15 @@ void Joints(benchmark::State& state, bool wall)
 		}
 		state.SetIterationTime(round);
 	}
-	const auto median = [](std::vector<double>& t)
-	{
-		std::nth_element(t.begin(), t.begin() + t.size() / 2, t.end());
-		return t[t.size() / 2];
-	};
-	const auto whole = [&](Kind kind) { return median(all[int(kind)]); };
+	const auto whole = [&](Kind kind) { return medianOf(all[int(kind)]); };
 	const double joints = structures[0]->joints();
-	const double spring2 = median(solver[int(Kind::Spring2)]), spring2Whole = whole(Kind::Spring2);
+	const double spring2 = medianOf(solver[int(Kind::Spring2)]), spring2Whole = whole(Kind::Spring2);
 	for (int kind = 0; kind < int(Kind::Count); ++kind)
 		state.counters[std::string("ns_") + NAMES[kind]] = 1e9 * whole(Kind(kind)) / joints;
 	for (Kind kind : {Kind::ElasticPlastic, Kind::ElasticPlastic2, Kind::ElasticPlastic2Ours})
 	{
 		const std::string name = NAMES[int(kind)];
-		state.counters[name + "/spring2"] = median(solver[int(kind)]) / spring2;
+		state.counters[name + "/spring2"] = medianOf(solver[int(kind)]) / spring2;
 		state.counters[name + "+commit/spring2"] = whole(kind) / spring2Whole;
 	}
 	state.counters["all_broken/whole"] = whole(Kind::AllBroken) / whole(Kind::ElasticPlastic2);

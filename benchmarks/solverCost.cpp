@@ -36,7 +36,7 @@ Cost measure(StiffStructure::Shape shape, int size)
 	settings.collapsing = true;
 	StiffStructure collapsing(settings);
 	settings.collapsing = false;
-	settings.joints = StiffStructure::Joints::Springs;
+	settings.joints = Joints::Springs;
 	settings.solver = Solver::Stock;
 	StiffStructure stock(settings);
 

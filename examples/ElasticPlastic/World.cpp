@@ -7,6 +7,30 @@
 
 namespace ep
 {
+btTypedConstraint* makeBulletsOwn(Joints joints, btRigidBody& a, btRigidBody& b, const btTransform& frame,
+								  const btElasticPlasticCapacity& capacity)
+{
+	const btTransform inA = a.getCenterOfMassTransform().inverse() * frame,
+					  inB = b.getCenterOfMassTransform().inverse() * frame;
+	if (joints == Joints::Fixed)
+		return new btFixedConstraint(a, b, inA, inB);
+	auto* springs = new btGeneric6DofSpring2Constraint(a, b, inA, inB);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		springs->setLimit(i, 1, -1);
+		if (!capacity.isElasticPlastic(i))
+			continue;
+		if (capacity.isRigidPlastic(i))
+		{
+			springs->setLimit(i, 0, 0);
+			continue;
+		}
+		springs->enableSpring(i, true);
+		springs->setStiffness(i, capacity.m_stiffness[i]);
+	}
+	return springs;
+}
+
 std::unique_ptr<btConstraintSolver> World::makeSolver()
 {
 	switch (m_method.solver)
@@ -83,37 +107,13 @@ btElasticPlasticJoint* World::joint(btRigidBody& a, btRigidBody& b, const btTran
 	if (m_method.joints == Joints::Fixed || m_method.joints == Joints::Springs)
 	{
 		m_aside.emplace_back(&joint->getConstraint());
-		add(m_inPlaceOf[joint] = makeBulletsOwn(a, b, frame, capacity));
+		add(m_inPlaceOf[joint] = makeBulletsOwn(m_method.joints, a, b, frame, capacity));
 		return joint;
 	}
 	joint->setScheme(m_method.joints == Joints::Paper ? BT_EP_SCHEME_PAPER : BT_EP_SCHEME_IMPLICIT);
 	add(&joint->getConstraint());
 	m_action.addJoint(joint);
 	return joint;
-}
-
-btTypedConstraint* World::makeBulletsOwn(btRigidBody& a, btRigidBody& b, const btTransform& frame,
-										 const btElasticPlasticCapacity& capacity) const
-{
-	const btTransform inA = a.getCenterOfMassTransform().inverse() * frame,
-					  inB = b.getCenterOfMassTransform().inverse() * frame;
-	if (m_method.joints == Joints::Fixed)
-		return new btFixedConstraint(a, b, inA, inB);
-	auto* springs = new btGeneric6DofSpring2Constraint(a, b, inA, inB);
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-	{
-		springs->setLimit(i, 1, -1);
-		if (!capacity.isElasticPlastic(i))
-			continue;
-		if (capacity.isRigidPlastic(i))
-		{
-			springs->setLimit(i, 0, 0);
-			continue;
-		}
-		springs->enableSpring(i, true);
-		springs->setStiffness(i, capacity.m_stiffness[i]);
-	}
-	return springs;
 }
 
 void World::release(btElasticPlasticJoint& joint, int dof)

@@ -50,6 +50,10 @@ struct Method
 	Method(Solver s) : solver(s) {}
 };
 
+/// Joints::Fixed or Joints::Springs between two bodies, at a frame given in world coordinates.
+btTypedConstraint* makeBulletsOwn(Joints joints, btRigidBody& a, btRigidBody& b, const btTransform& frame,
+								  const btElasticPlasticCapacity& capacity);
+
 /// A Bullet world with its parts, its elastic-plastic action, and all that scenes add to it. Owns everything.
 class World
 {
@@ -105,8 +109,6 @@ public:
 
 private:
 	std::unique_ptr<btConstraintSolver> makeSolver();
-	btTypedConstraint* makeBulletsOwn(btRigidBody& a, btRigidBody& b, const btTransform& frame,
-									  const btElasticPlasticCapacity& capacity) const;
 
 	Method m_method;
 	btDefaultCollisionConfiguration m_configuration;

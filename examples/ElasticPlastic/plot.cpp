@@ -56,6 +56,14 @@ class Axis
 public:
 	Axis(bool isLog, double begin, double end) : m_isLog(isLog), m_begin(begin), m_end(end) {}
 
+	/// Values below zero by a hair's breadth need no room.
+	void beginAtZero()
+	{
+		include(0);
+		if (m_low > -0.02 * m_high)
+			m_low = 0;
+	}
+
 	void include(double value)
 	{
 		if (!accepts(value))
@@ -126,6 +134,8 @@ std::string Plot::svg() const
 				x.include(point.first);
 				y.include(point.second);
 			}
+	if (m_fromZero)
+		y.beginAtZero();
 	x.settle();
 	y.settle();
 

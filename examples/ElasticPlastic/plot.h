@@ -29,6 +29,7 @@ struct Plot
 
 	std::string m_title, m_xLabel, m_yLabel;
 	bool m_logX = false, m_logY = false;  ///< then points that are not greater than 0 are left out
+	bool m_fromZero = false;              ///< y begins at 0, unless it goes far below
 	std::vector<Curve> m_curves;
 
 	std::string svg() const;

@@ -122,9 +122,10 @@ private:
 	btAlignedObjectArray<JointRows> m_jointRows;
 	btAlignedObjectArray<DirectJoint> m_directJoints;
 	btAlignedObjectArray<btTypedConstraint*> m_others;  ///< the island's constraints that have rows in Bullet's pool
-	int m_firstRow = 0;                                 ///< in the system, of those in Bullet's pools
-	btAlignedObjectArray<int> m_index;                  ///< of a solver body in the system, -1: does not move
-	btAlignedObjectArray<btScalar> m_lastFriction;      ///< the last step's impulses, by Bullet's pool
+	btAlignedObjectArray<btElasticPlasticJoint*> m_otherJoints;  ///< of these, null where there is none of ours
+	int m_firstRow = 0;                                          ///< in the system, of those in Bullet's pools
+	btAlignedObjectArray<int> m_index;                           ///< of a solver body in the system, -1: does not move
+	btAlignedObjectArray<btScalar> m_lastFriction;               ///< the last step's impulses, by Bullet's pool
 	btElasticPlasticSystem m_system;
 	std::vector<int> m_lightIslands;
 	std::unique_ptr<btElasticPlasticCrew> m_crew;                                 ///< null: one thread

@@ -183,6 +183,7 @@ void btElasticPlasticConstraintSolver::convertToUnits(btTypedConstraint** constr
 	m_index.resize(0);
 	addBodies();
 	m_others.resize(0);
+	m_otherJoints.resize(0);
 	{
 		const btElasticPlasticLap lap("elastic-plastic set-up", m_system.getStatistics().m_setUpTime);
 		const bool isLarge = numConstraints > 400;
@@ -194,15 +195,17 @@ void btElasticPlasticConstraintSolver::convertToUnits(btTypedConstraint** constr
 			if (joint && joint->prepareAlone())
 				addJoint(*joint, info);
 			else
+			{
 				m_others.push_back(constraints[i]);
+				m_otherJoints.push_back(joint);
+			}
 		}
 	}
 	btSequentialImpulseConstraintSolver::convertJoints(m_others.size() > 0 ? &m_others[0] : nullptr, m_others.size(),
 													   info);
 	for (int i = 0; i < m_others.size(); ++i)
-		if (btElasticPlasticJoint* const joint =
-				m_others[i]->isEnabled() ? btElasticPlasticJoint::from(m_others[i]) : nullptr)
-			addJoint(*joint, info);
+		if (m_otherJoints[i])
+			addJoint(*m_otherJoints[i], info);
 }
 
 /// A row that the augmented Lagrangian makes soft by a hundredth of A, unless it is softer already: it then gains two digits a

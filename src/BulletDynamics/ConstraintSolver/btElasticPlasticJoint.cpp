@@ -35,11 +35,16 @@ btElasticPlasticJoint::~btElasticPlasticJoint()
 		m_action->removeJoint(this);
 }
 
-void btElasticPlasticJoint::setOwnFeedback()
+void btElasticPlasticJoint::clear(btJointFeedback& feedback)
 {
 	const btVector3 zero(0, 0, 0);
-	m_feedback.m_appliedForceBodyA = m_feedback.m_appliedTorqueBodyA = zero;
-	m_feedback.m_appliedForceBodyB = m_feedback.m_appliedTorqueBodyB = zero;
+	feedback.m_appliedForceBodyA = feedback.m_appliedTorqueBodyA = zero;
+	feedback.m_appliedForceBodyB = feedback.m_appliedTorqueBodyB = zero;
+}
+
+void btElasticPlasticJoint::setOwnFeedback()
+{
+	clear(m_feedback);
 	m_constraint.setJointFeedback(&m_feedback);
 }
 

@@ -279,6 +279,7 @@ private:
 	};
 
 	btElasticPlasticFault findFault() const;
+	static void clear(btJointFeedback & feedback);
 	void setOwnFeedback();
 	void measureOverlap();
 	void takeRoundingAsReference();

@@ -84,11 +84,7 @@ bool btElasticPlasticJoint::prepareAlone()
 		return false;
 	m_constraint.internalSetAppliedImpulse(0);
 	if (btJointFeedback* feedback = m_constraint.getJointFeedback())
-	{
-		const btVector3 zero(0, 0, 0);
-		feedback->m_appliedForceBodyA = feedback->m_appliedTorqueBodyA = zero;
-		feedback->m_appliedForceBodyB = feedback->m_appliedTorqueBodyB = zero;
-	}
+		clear(*feedback);
 	prepare();
 	return true;
 }
