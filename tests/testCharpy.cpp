@@ -8,6 +8,7 @@
 
 #include "Charpy.h"
 #include "CharpyReport.h"
+#include "CharpyScene.h"
 #include "CharpyStudies.h"
 #include "DirectSolver.h"
 #include "Precision.h"
@@ -331,6 +332,54 @@ TEST(Charpy, SaysWhatIsWrong)
 	odd.pieces = 3;
 	EXPECT_NE(std::string::npos, odd.fault().find("must be even"));
 	EXPECT_THROW(Charpy{odd}, std::invalid_argument);
+}
+
+TEST(Charpy, WindowShowsThreeViewsAndEnergiesAsTheyGo)
+{
+	CharpyScene scene{CharpySettings()};
+	for (int i = 0; i < 1000 && scene.draw().chart.x.size() < 10; ++i)
+		scene.step(Controls());
+	const Drawing drawing = scene.draw();
+	EXPECT_EQ(3u, drawing.views.size());
+	ASSERT_EQ(10u, drawing.chart.x.size());
+	// What is stacked is what the hammer has lost, and what it is made of has a name.
+	float sum = 0;
+	for (const Chart::Band& band : drawing.chart.bands)
+		sum += band.values.back();
+	const CharpyResult r = scene.charpy().result();
+	EXPECT_NEAR(r.loss(), sum, 0.005 * r.loss());  // as the audit closes
+	EXPECT_EQ(drawing.chart.bands.size(), drawing.legend.size());
+}
+
+TEST(Charpy, WindowsKeysChangeTheTest)
+{
+	CharpyScene scene{CharpySettings()};
+	const auto settings = [&scene]() -> const CharpySettings& { return scene.charpy().settings(); };
+	for (int i = 0; i < 10; ++i)
+	{
+		scene.key(char('0' + i));
+		EXPECT_EQ(charpyWays()[size_t(i)].value, settings().way);
+	}
+	scene.key('+');
+	EXPECT_DOUBLE_EQ(0.2e-3, settings().step);
+	scene.key('-');
+	EXPECT_DOUBLE_EQ(0.1e-3, settings().step);
+	scene.key('g');
+	EXPECT_EQ(CharpyGeometry::Paper, settings().geometry);
+
+	// Slower: a picture shows half the time.
+	const auto inImpact = [](char key)
+	{
+		CharpyScene slow{CharpySettings()};
+		slow.key(key);
+		while (!slow.charpy().hasStruck())
+			slow.step(Controls());
+		const double before = slow.charpy().time();
+		slow.step(Controls());
+		return slow.charpy().time() - before;
+	};
+	EXPECT_NEAR(inImpact(','), inImpact(' ') / 2, 1e-9);
+	EXPECT_NEAR(inImpact('.'), inImpact(' ') * 2, 1e-9);
 }
 
 TEST(Charpy, SummaryHasItsKeys)

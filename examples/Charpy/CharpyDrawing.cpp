@@ -1,21 +1,11 @@
 #include "CharpyDrawing.h"
 
-#include <cstdio>
-
 namespace ep
 {
 namespace
 {
 const Colour HAMMER = {.16f, .22f, .32f}, ANVIL = {.30f, .30f, .31f},
 			 HALF[2] = {{.60f, .20f, .005f}, {.75f, .42f, .01f}};
-
-template <class... Values>
-std::string format(const char* pattern, Values... values)
-{
-	char text[128];
-	std::snprintf(text, sizeof text, pattern, values...);
-	return text;
-}
 
 btTransform drawn(const CharpySettings& s, const btTransform& pose)
 {
@@ -47,40 +37,40 @@ Part arm(const CharpySettings& s, const btTransform& hammer)
 	const btTransform along(btQuaternion(btVector3(0, 0, 1), btAtan2(toAxis.y(), toAxis.x())), toAxis / 2);
 	return boxPart(drawn(s, hammer) * along, btVector3(toAxis.length(), 3, btScalar(1.6)), HAMMER, .2f);
 }
+
+Camera camera(double ex, double ey, double ez, double tx, double ty, double tz)
+{
+	Camera c;
+	const btVector3 level(0, btScalar(CHARPY_DRAWN_LEVEL), 0);
+	c.eye = level + btVector3(btScalar(ex), btScalar(ey), btScalar(ez));
+	c.target = level + btVector3(btScalar(tx), btScalar(ty), btScalar(tz));
+	return c;
+}
 }  // namespace
 
-Drawing drawCharpy(const Charpy& charpy, bool cut)
+std::vector<Part> charpyParts(const Charpy& charpy, bool cut)
 {
 	const CharpySettings& s = charpy.settings();
-	const CharpyParts& parts = charpy.parts();
+	const CharpyParts& bodies = charpy.parts();
 	const double top = cut ? s.width * 0.7 : 1;
-	Drawing drawing;
+	std::vector<Part> parts;
 	for (int i = 0; i < 2; ++i)
-		drawing.parts.push_back(upright(s, anvilShape(s, i == 0), parts.anvils[i]->getWorldTransform(), top, ANVIL));
-	const int n = int(parts.pieces.size());
+		parts.push_back(upright(s, anvilShape(s, i == 0), bodies.anvils[i]->getWorldTransform(), top, ANVIL));
+	const int n = int(bodies.pieces.size());
 	for (int i = 0; i < n; ++i)
-		drawing.parts.push_back(
-			upright(s, pieceShape(s, i), parts.pieces[size_t(i)]->getWorldTransform(), 1, HALF[n > 1 && 2 * i >= n]));
-	drawing.parts.push_back(upright(s, hammerShape(s), parts.hammer->getWorldTransform(), top, HAMMER));
-
+		parts.push_back(
+			upright(s, pieceShape(s, i), bodies.pieces[size_t(i)]->getWorldTransform(), 1, HALF[n > 1 && 2 * i >= n]));
+	parts.push_back(upright(s, hammerShape(s), bodies.hammer->getWorldTransform(), top, HAMMER));
 	if (!cut)
-		drawing.parts.push_back(arm(s, parts.hammer->getWorldTransform()));
+		parts.push_back(arm(s, bodies.hammer->getWorldTransform()));
+	return parts;
+}
 
-	// Looking against the blow.
-	drawing.subject =
-		btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_PI), btVector3(-5, btScalar(CHARPY_DRAWN_LEVEL), 0));
-	const CharpyResult r = charpy.result();
-	drawing.text = {
-		format("%s, %s", charpyNameOf(charpyWays(), s.way).c_str(),
-			   charpyNameOf(charpyGeometries(), s.geometry).c_str()),
-		format("Step in the impact  %g ms", s.step * 1e3),
-		format("Hammer  %.1f J at %.3f rad, lost %.1f J", r.hammerAfter, charpy.angle(),
-			   charpy.hasStruck() ? r.loss() : 0.),
-		format("Hinge  %.2f rad%s", r.hingeAngle, r.broken ? ", broken" : ""),
-		format("Plastic work  %.1f J of %.1f J to pass", r.plasticWork, s.passingEnergy()),
-		format("Friction  %.1f J, pieces %.1f J, contacts %.1f J", r.frictionWork, r.specimenEnergy, r.contactWork),
-		format("Time  %.2f ms, %s", charpy.time() * 1e3, nameOf(r.outcome)),
-	};
-	return drawing;
+std::vector<View> charpyViews(const Charpy& charpy, bool cut)
+{
+	const std::vector<Part> detail = charpyParts(charpy, cut);
+	return {{detail, camera(7, 15, 9, 1, 0, 0)},
+			{detail, camera(0.99, 18, 0, 1, 0, 0)},
+			{charpyParts(charpy, false), camera(46, 20, 30, -10, 2, 0)}};
 }
 }  // namespace ep

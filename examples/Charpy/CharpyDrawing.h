@@ -14,7 +14,17 @@ constexpr double CHARPY_DRAWN_LEVEL = 30;
 
 /// The test as it stands, drawn larger than it is.
 /// \param cut  hammer and anvils only up to just above the specimen, which they hide otherwise
-Drawing drawCharpy(const Charpy& charpy, bool cut);
+std::vector<Part> charpyParts(const Charpy& charpy, bool cut);
+
+/// Around the specimen, straight from above, and the machine as a whole.
+enum CharpyView
+{
+	CHARPY_DETAIL,
+	CHARPY_PLAN,
+	CHARPY_OVERVIEW
+};
+/// \param cut  in the first two
+std::vector<View> charpyViews(const Charpy& charpy, bool cut);
 }  // namespace ep
 
 #endif  // EP_CHARPY_DRAWING_H

@@ -1,30 +1,35 @@
 #include "CharpyScene.h"
 
+#include <cstdio>
+
 namespace ep
 {
 namespace
 {
-// Energies over time on a board behind the test: a column a picture, what the hammer has lost in the colours of where it went.
-const Colour PLASTIC = {.75f, .42f, .01f}, FRICTION = {.45f, .05f, .03f}, REST = {.05f, .25f, .45f};
-const size_t COLUMNS = 90;
-const double COLUMN_WIDTH = 0.085, HEIGHT_PER_JOULE = 0.05;
-
-void addColumn(Drawing& drawing, size_t column, const CharpyResult& r)
+/// Where the energy goes that the hammer loses.
+const struct
 {
-	double low = CHARPY_DRAWN_LEVEL - 2;
-	const auto add = [&](double energy, const Colour& colour)
-	{
-		const double height = energy * HEIGHT_PER_JOULE;
-		if (height < 0.01)
-			return;
-		const btVector3 place(-18, btScalar(low + height / 2), btScalar(-6 - COLUMN_WIDTH * double(column)));
-		const btVector3 size(btScalar(0.1), btScalar(height), btScalar(COLUMN_WIDTH));
-		drawing.parts.push_back(boxPart(btTransform(btQuaternion(0, 0, 0, 1), place), size, colour));
-		low += height;
-	};
-	add(r.plasticWork, PLASTIC);
-	add(r.frictionWork, FRICTION);
-	add(r.loss() - r.plasticWork - r.frictionWork, REST);
+	Colour colour;
+	const char* name;
+	double (*energy)(const CharpyResult&);
+} SHARES[] = {
+	{{.75f, .42f, .01f}, "plastic work", [](const CharpyResult& r) { return r.plasticWork; }},
+	{{.10f, .45f, .12f}, "elastic", [](const CharpyResult& r) { return r.elasticEnergy; }},
+	{{.45f, .05f, .03f}, "friction", [](const CharpyResult& r) { return r.frictionWork; }},
+	{{.05f, .25f, .45f}, "pieces' motion", [](const CharpyResult& r) { return r.specimenEnergy; }},
+	{{.25f, .25f, .25f},
+	 "contacts, numerical",
+	 [](const CharpyResult& r) { return r.contactWork + r.numericalDissipation; }},
+};
+
+const double LEAST_SLOWNESS = 1, MOST_SLOWNESS = 4000;
+
+template <class... Values>
+std::string format(const char* pattern, Values... values)
+{
+	char text[128];
+	std::snprintf(text, sizeof text, pattern, values...);
+	return text;
 }
 }  // namespace
 
@@ -34,48 +39,97 @@ void CharpyScene::restart()
 	m_history.clear();
 }
 
-Drawing CharpyScene::draw() const
-{
-	Drawing drawing = drawCharpy(*m_charpy, m_cut);
-	for (size_t i = 0; i < m_history.size(); ++i)
-		addColumn(drawing, i, m_history[i]);
-	drawing.legend = {
-		{PLASTIC, "plastic work"}, {FRICTION, "friction"}, {REST, "kinetic, contacts, elastic, numerical"}};
-	return drawing;
-}
+bool CharpyScene::isNear() const { return std::fabs(m_charpy->angle()) < 2 * m_settings.impactAngle; }
 
 void CharpyScene::step(const Controls&)
 {
-	// Near the specimen a picture shows 0.1 ms: the impact of 16 ms takes 3 s.
-	const bool near = std::fabs(m_charpy->angle()) < 2 * m_settings.impactAngle;
-	const double until = m_charpy->time() + (near ? 0.1e-3 : double(stepTime()));
+	const double until = m_charpy->time() + double(stepTime()) / (isNear() ? m_slowness : 1);
 	while (m_charpy->time() < until - 1e-9 && !m_charpy->isOver())
 		m_charpy->step(btMin(m_charpy->stepAt(m_charpy->angle()), until - m_charpy->time()));
-	if (m_charpy->hasStruck() && m_history.size() < COLUMNS && !m_charpy->isOver())
+	if (m_charpy->hasStruck() && !m_charpy->isOver())
 		m_history.push_back(m_charpy->result());
+}
+
+Drawing CharpyScene::draw() const
+{
+	Drawing drawing;
+	drawing.parts = charpyParts(*m_charpy, m_cut);
+	drawing.views = charpyViews(*m_charpy, m_cut);
+	// Looking against the blow.
+	drawing.subject =
+		btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_PI), btVector3(-5, btScalar(CHARPY_DRAWN_LEVEL), 0));
+	drawing.text = text();
+
+	drawing.chart.title = "Energy lost by the hammer [J]";
+	drawing.chart.xUnit = "ms";
+	for (const CharpyResult& r : m_history)
+		drawing.chart.x.push_back(float(r.duration * 1e3));
+	for (const auto& share : SHARES)
+	{
+		Chart::Band band = {share.colour, {}};
+		for (const CharpyResult& r : m_history)
+			band.values.push_back(float(share.energy(r)));
+		drawing.chart.bands.push_back(band);
+		drawing.legend.push_back({share.colour, share.name});
+	}
+	return drawing;
+}
+
+std::vector<std::string> CharpyScene::text() const
+{
+	const CharpySettings& s = m_settings;
+	const CharpyResult r = m_charpy->result();
+	return {
+		format("%s, %s", charpyNameOf(charpyWays(), s.way).c_str(),
+			   charpyNameOf(charpyGeometries(), s.geometry).c_str()),
+		format("Step in the impact  %g ms", s.step * 1e3),
+		format("Hammer  %.1f J at %.3f rad, lost %.1f J", r.hammerAfter, m_charpy->angle(),
+			   m_charpy->hasStruck() ? r.loss() : 0.),
+		format("Hinge  %.2f rad%s", r.hingeAngle, r.broken ? ", broken" : ""),
+		format("Plastic work  %.1f J of %.1f J to pass", r.plasticWork, s.passingEnergy()),
+		format("Friction  %.1f J, pieces %.1f J, contacts %.1f J", r.frictionWork, r.specimenEnergy, r.contactWork),
+		format("Time  %.2f ms, %s, %.0f times slower", m_charpy->time() * 1e3, nameOf(r.outcome),
+			   isNear() ? m_slowness : 1.),
+	};
 }
 
 void CharpyScene::key(char key)
 {
-	if (key == 'x')
-		m_cut = !m_cut;
 	const std::vector<CharpyName<CharpyWay>>& ways = charpyWays();
-	if (key >= '0' && key <= '9')
-		m_settings.way = ways[size_t(key - '0') % ways.size()].value;
-	else if (key == '+' || key == '-')
-		m_settings.step = btMax(1e-6, btMin(m_settings.swingStep, m_settings.step * (key == '+' ? 2 : 0.5)));
-	else if (key == 'g')
-		m_settings.geometry =
-			m_settings.geometry == CharpyGeometry::Paper ? CharpyGeometry::Repeatable : CharpyGeometry::Paper;
-	else
-		return;
+	switch (key)
+	{
+		case 'x':
+			m_cut = !m_cut;
+			return;
+		case ',':
+			m_slowness = btMin(MOST_SLOWNESS, m_slowness * 2);
+			return;
+		case '.':
+			m_slowness = btMax(LEAST_SLOWNESS, m_slowness / 2);
+			return;
+		case 'g':
+			m_settings.geometry =
+				m_settings.geometry == CharpyGeometry::Paper ? CharpyGeometry::Repeatable : CharpyGeometry::Paper;
+			break;
+		case '+':
+			m_settings.step = btMin(m_settings.swingStep, m_settings.step * 2);
+			break;
+		case '-':
+			m_settings.step = btMax(1e-6, m_settings.step / 2);
+			break;
+		default:
+			if (key < '0' || key > '9')
+				return;
+			m_settings.way = ways[size_t(key - '0') % ways.size()].value;
+	}
 	restart();
 }
 
 std::vector<std::string> CharpyScene::keyHelp() const
 {
-	std::vector<std::string> lines = {"X  hammer and anvils cut or whole", "G  geometry: paper's or repeatable",
-									  "+ -  step in the impact, and again"};
+	std::vector<std::string> lines = {",  .  slow motion: slower, faster", "X  hammer and anvils cut or whole",
+									  "Again from the start with:", "+  -  a longer, shorter step in the impact",
+									  "G  geometry: paper's or repeatable"};
 	for (size_t i = 0; i < charpyWays().size(); ++i)
 		lines.push_back(std::to_string(i) + "  " + charpyWays()[i].name);
 	return lines;

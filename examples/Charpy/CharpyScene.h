@@ -6,7 +6,7 @@
 
 namespace ep
 {
-/// The Charpy test as something to look at: the swing at its speed, the impact step by step.
+/// The Charpy test as something to look at: the swing at its speed, the impact in slow motion.
 class CharpyScene : public ViewedScene
 {
 public:
@@ -25,8 +25,12 @@ public:
 	std::vector<std::string> keyHelp() const override;
 
 private:
+	bool isNear() const;
+	std::vector<std::string> text() const;
+
 	CharpySettings m_settings;
 	std::unique_ptr<Charpy> m_charpy;
+	double m_slowness = 167;  ///< of the impact: how many times slower than it is
 	bool m_cut = true;
 	std::vector<CharpyResult> m_history;  ///< from the blow on, a picture each
 };

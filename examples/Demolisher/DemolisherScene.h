@@ -22,6 +22,7 @@ public:
 	Drawing draw() const override;
 	btVector3 centre() const override;
 	btScalar extent() const override;
+	bool isDriven() const override { return true; }
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override { return {"G  autopilot on or off"}; }
 

@@ -43,7 +43,7 @@ void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless,
 	const Camera camera =
 		shot.chase ? chaseCamera(drawing.subject) : sideCamera(scene.centre(), scene.extent(), aspect);
 	const std::string file = (std::filesystem::path(headless.out) / (std::string(shot.name) + ".png")).string();
-	writePng(file, drawPicture(drawing, camera, headless.width, headless.height));
+	writePng(file, drawPicture({drawing.parts, camera}, headless.width, headless.height));
 	std::printf("  picture %s\n", file.c_str());
 #else
 	(void)scene, (void)headless, (void)shot;

@@ -32,6 +32,33 @@ Part cylinderPart(const btTransform& pose, btScalar radius, btScalar width, cons
 Part prismPart(const btTransform& pose, const std::vector<btVector3>& profile, btScalar width, const Colour& colour,
 			   float gloss = 0);
 
+/// From a point to a point, upright.
+struct Camera
+{
+	btVector3 eye = btVector3(0, 10, 40), target = btVector3(0, 0, 0);
+	float fieldOfView = 0.75f;  ///< vertical [rad]
+};
+
+struct View
+{
+	std::vector<Part> parts;
+	Camera camera;
+};
+
+/// Quantities over another, stacked from below.
+struct Chart
+{
+	struct Band
+	{
+		Colour colour;
+		std::vector<float> values;  ///< one for each x
+	};
+
+	std::string title, xUnit;
+	std::vector<float> x;
+	std::vector<Band> bands;
+};
+
 /// All there is to see at a moment. The ground is the plane y = 0.
 struct Drawing
 {
@@ -43,8 +70,10 @@ struct Drawing
 
 	std::vector<Part> parts;
 	btTransform subject = btTransform::getIdentity();  ///< what a camera follows, x forward
-	std::vector<std::string> text;                     ///< lines for the reader
-	std::vector<Key> legend;                           ///< what colours mean
+	std::vector<View> views;        ///< with cameras of their own: the first one large, others beside it
+	std::vector<std::string> text;  ///< lines for the reader
+	std::vector<Key> legend;        ///< what colours mean
+	Chart chart;
 };
 }  // namespace ep
 

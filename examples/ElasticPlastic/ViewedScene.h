@@ -22,6 +22,8 @@ public:
 	virtual btVector3 centre() const = 0;
 	virtual btScalar extent() const = 0;
 
+	/// Whether controls do something.
+	virtual bool isDriven() const { return false; }
 	/// A key that the viewer has no use for.
 	virtual void key(char) {}
 	/// Help on such keys, a line each.

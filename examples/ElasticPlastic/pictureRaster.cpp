@@ -153,13 +153,14 @@ private:
 };
 }  // namespace
 
-Image drawPicture(const Drawing& drawing, const Camera& camera, int width, int height)
+Image drawPicture(const View& view, int width, int height)
 {
+	const Camera& camera = view.camera;
 	const float aspect = float(width) / float(height);
 	const Matrix matrix = cameraMatrix(camera, aspect);
 	const CameraAxes axes = cameraAxes(camera, aspect);
 	const Vector eye = toVector(camera.eye);
-	const std::vector<Vertex> whole = makeMesh(drawing.parts), mesh = clipped(whole, matrix);
+	const std::vector<Vertex> whole = makeMesh(view.parts), mesh = clipped(whole, matrix);
 	const ShadowMap shadows(whole, camera.target);
 	const SunLight sun = [&](const Vector& point, const Vector& normal) { return shadows.light(point, normal); };
 

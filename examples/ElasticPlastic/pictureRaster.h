@@ -7,7 +7,7 @@
 namespace ep
 {
 /// Draws without OpenGL, for machines without a display: depth buffer, shadow map, four samples a pixel.
-Image drawPicture(const Drawing& drawing, const Camera& camera, int width, int height);
+Image drawPicture(const View& view, int width, int height);
 }  // namespace ep
 
 #endif  // EP_PICTURE_RASTER_H

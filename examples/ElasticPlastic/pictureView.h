@@ -5,13 +5,6 @@
 
 namespace ep
 {
-/// From a point to a point, upright.
-struct Camera
-{
-	btVector3 eye = btVector3(0, 10, 40), target = btVector3(0, 0, 0);
-	float fieldOfView = 0.75f;  ///< vertical [rad]
-};
-
 /// Behind the subject and above it, and from a little to the side.
 Camera chaseCamera(const btTransform& subject);
 

@@ -24,15 +24,7 @@ std::string number(double value)
 	return text;
 }
 
-/// The next of 1, 2, 5 times a power of ten that is not smaller, or not greater.
-double roundUp(double value)
-{
-	const double power = std::pow(10, std::floor(std::log10(value) + 1e-9));
-	for (const double digit : {1., 2., 5.})
-		if (digit * power > value * (1 - 1e-9))
-			return digit * power;
-	return 10 * power;
-}
+/// The next of 1, 2, 5 times a power of ten that is not greater.
 double roundDown(double value)
 {
 	const double power = std::pow(10, std::floor(std::log10(value) + 1e-9));
@@ -123,6 +115,15 @@ void line(std::ostream& out, double x0, double y0, double x1, double y1, const c
 		<< number(y1) << "\" stroke=\"" << color << "\"/>\n";
 }
 }  // namespace
+
+double roundUp(double value)
+{
+	const double power = std::pow(10, std::floor(std::log10(value) + 1e-9));
+	for (const double digit : {1., 2., 5.})
+		if (digit * power > value * (1 - 1e-9))
+			return digit * power;
+	return 10 * power;
+}
 
 std::string Plot::svg() const
 {

@@ -10,9 +10,9 @@ namespace ep
 struct ViewerOptions
 {
 	int width = 1280, height = 720;
-	std::string camera = "chase";  ///< to begin with: chase, free or side
-	std::string screenshot;        ///< a PNG to save and then end; empty: run until the window is closed
-	double screenshotTime = 9;     ///< simulated time to run before [s]
+	std::string camera;         ///< to begin with: chase, free or side; empty: the scene's own, or chase
+	std::string screenshot;     ///< a PNG to save and then end; empty: run until the window is closed
+	double screenshotTime = 9;  ///< simulated time to run before [s]
 };
 
 /// Shows a scene in a window and lets a person drive, until the window is closed. Throws std::runtime_error.

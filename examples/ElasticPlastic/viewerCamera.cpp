@@ -4,9 +4,16 @@
 
 namespace ep
 {
+void ViewerCamera::next()
+{
+	m_mode = Mode((m_mode + 1) % MODES);
+	if (m_mode == VIEWS && !m_views)
+		m_mode = CHASE;
+}
+
 const char* ViewerCamera::name() const
 {
-	const char* const names[MODES] = {"chase", "free", "side"};
+	const char* const names[MODES] = {"views", "chase", "free", "side"};
 	return names[m_mode];
 }
 

@@ -6,11 +6,14 @@
 
 namespace ep
 {
-/// The camera that a person moves: behind the subject, free around it, or fixed at the side.
+/// The camera that a person moves: behind the subject, free around it, or fixed at the side. Or the scene's own ones.
 class ViewerCamera
 {
 public:
-	void next() { m_mode = Mode((m_mode + 1) % MODES); }
+	/// \param views  whether the scene has cameras of its own; then it begins with them
+	explicit ViewerCamera(bool views) : m_views(views), m_mode(views ? VIEWS : CHASE) {}
+
+	void next();
 	void select(const std::string& name);
 	const char* name() const;
 
@@ -18,11 +21,13 @@ public:
 	void turn(int dx, int dy);
 	void zoom(int steps);
 
+	bool showsViews() const { return m_mode == VIEWS; }
 	Camera camera(const ViewedScene& scene, const btTransform& subject, float aspect, btScalar seconds);
 
 private:
 	enum Mode
 	{
+		VIEWS,
 		CHASE,
 		ORBIT,
 		SIDE,
@@ -32,7 +37,8 @@ private:
 	Camera chase(const btTransform& subject, btScalar seconds);
 	Camera orbit(const btTransform& subject) const;
 
-	Mode m_mode = CHASE;
+	bool m_views;
+	Mode m_mode;
 	btScalar m_azimuth = btScalar(2.2), m_elevation = btScalar(.3), m_distance = 22;
 	Camera m_chase;
 	bool m_chasing = false;

@@ -63,16 +63,14 @@ Controls ViewerKeys::controls() const
 	return controls;
 }
 
-std::vector<std::string> ViewerKeys::help()
+std::vector<std::string> ViewerKeys::help(bool drive)
 {
-	return {"W S  or arrows: drive, brake and reverse",
-			"A D  or arrows: steer",
-			"Space  handbrake",
-			"P  pause,  N or O  single step",
-			"R  restart",
-			"C  camera,  mouse  turns it, wheel zooms",
-			"F12  screenshot",
-			"Esc  quit",
-			"H  help on or off"};
+	std::vector<std::string> lines;
+	if (drive)
+		lines = {"W S  or arrows: drive, brake and reverse", "A D  or arrows: steer", "Space  handbrake"};
+	for (const char* line : {"P  pause,  N or O  single step", "R  restart", "C  camera,  mouse  turns it, wheel zooms",
+							 "F12  screenshot", "Esc  quit", "H  help on or off"})
+		lines.emplace_back(line);
+	return lines;
 }
 }  // namespace ep

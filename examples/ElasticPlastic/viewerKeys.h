@@ -34,7 +34,8 @@ public:
 	static bool drives(int key);
 
 	Controls controls() const;
-	static std::vector<std::string> help();
+	/// \param drive  whether there is something to drive
+	static std::vector<std::string> help(bool drive);
 
 private:
 	bool isDown(int letter, int arrow) const;

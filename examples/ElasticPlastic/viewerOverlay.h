@@ -2,12 +2,19 @@
 #define EP_VIEWER_OVERLAY_H
 
 #include "Drawing.h"
+#include "viewerLayout.h"
 
 namespace ep
 {
-/// Writes over the picture: the drawing's text and legend, the help, and a note in the middle.
-void drawOverlay(const Drawing& drawing, const std::vector<std::string>& help, const std::string& note, int width,
-				 int height);
+/// What is written over a picture.
+struct Overlay
+{
+	const Drawing& drawing;  ///< its text, legend and chart
+	std::vector<std::string> help;
+	std::string note;  ///< in the middle
+};
+
+void drawOverlay(const Overlay& overlay, const ViewerLayout& layout, int width, int height);
 }  // namespace ep
 
 #endif  // EP_VIEWER_OVERLAY_H

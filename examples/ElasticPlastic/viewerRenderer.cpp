@@ -60,16 +60,17 @@ void Renderer::setLight(const Program& program, const Camera& camera, const Matr
 	program.set("shadowMap", 0);
 }
 
-void Renderer::draw(const Drawing& drawing, const Camera& camera, int width, int height)
+void Renderer::draw(const View& view, const Tile& tile)
 {
-	const std::vector<Vertex> mesh = makeMesh(drawing.parts);
+	const Camera& camera = view.camera;
+	const std::vector<Vertex> mesh = makeMesh(view.parts);
 	const Matrix sun = sunMatrix(camera.target);
-	const float aspect = float(width) / float(std::max(1, height));
+	const float aspect = tile.aspect();
 
 	glEnable(GL_DEPTH_TEST);
 	glDisable(GL_BLEND);
 	drawShadowMap(mesh, sun);
-	glViewport(0, 0, width, height);
+	glViewport(tile.x, tile.y, tile.width, tile.height);
 	glBindTexture(GL_TEXTURE_2D, m_shadowMap);
 	glClear(GL_DEPTH_BUFFER_BIT);
 

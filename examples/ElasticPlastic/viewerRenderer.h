@@ -2,6 +2,7 @@
 #define EP_VIEWER_RENDERER_H
 
 #include "picturePng.h"
+#include "viewerLayout.h"
 #include "viewerProgram.h"
 
 namespace ep
@@ -13,7 +14,7 @@ public:
 	Renderer();
 	~Renderer();
 
-	void draw(const Drawing& drawing, const Camera& camera, int width, int height);
+	void draw(const View& view, const Tile& tile);
 
 	/// What is in the back buffer.
 	static Image read(int width, int height);

@@ -1,6 +1,7 @@
 #include "viewerSession.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <thread>
 
@@ -12,12 +13,25 @@ namespace ep
 namespace
 {
 const double MOST_AT_ONCE = 0.25;  // simulated for one picture [s]
+
+/// In a tile higher than wide a camera sees as much from side to side as it should see from top to bottom.
+View fitted(View view, const Tile& tile)
+{
+	float& angle = view.camera.fieldOfView;
+	angle = 2 * std::atan(std::tan(angle / 2) / std::min(1.f, tile.aspect()));
+	return view;
 }
+}  // namespace
 
 Viewer::Viewer(ViewedScene& scene, const ViewerOptions& options)
-	: m_scene(scene), m_options(options), m_renderer(new Renderer), m_last(Clock::now())
+	: m_scene(scene),
+	  m_options(options),
+	  m_renderer(new Renderer),
+	  m_camera(!scene.draw().views.empty()),
+	  m_last(Clock::now())
 {
-	m_camera.select(options.camera);
+	if (!options.camera.empty())
+		m_camera.select(options.camera);
 }
 
 void Viewer::close()
@@ -74,9 +88,16 @@ void Viewer::draw(double seconds)
 	const int width = glutGet(GLUT_WINDOW_WIDTH), height = glutGet(GLUT_WINDOW_HEIGHT);
 	const float aspect = float(width) / float(std::max(1, height));
 	const Drawing drawing = m_scene.draw();
-	m_renderer->draw(drawing, m_camera.camera(m_scene, drawing.subject, aspect, btScalar(seconds)), width, height);
-	drawOverlay(drawing, m_help ? help() : std::vector<std::string>{"H  help"}, m_paused ? "Paused" : "", width,
-				height);
+	std::vector<View> views = drawing.views;
+	if (!m_camera.showsViews())
+		views.assign(1, {drawing.parts, m_camera.camera(m_scene, drawing.subject, aspect, btScalar(seconds))});
+	const ViewerLayout layout(views.size(), !drawing.chart.bands.empty(), width, height);
+
+	glClear(GL_COLOR_BUFFER_BIT);
+	for (size_t i = 0; i < views.size(); ++i)
+		m_renderer->draw(m_camera.showsViews() ? fitted(views[i], layout.views[i]) : views[i], layout.views[i]);
+	drawOverlay({drawing, m_help ? help() : std::vector<std::string>{"H  help"}, m_paused ? "Paused" : ""}, layout,
+				width, height);
 }
 
 void Viewer::save(const std::string& file)
@@ -88,7 +109,7 @@ void Viewer::save(const std::string& file)
 
 std::vector<std::string> Viewer::help() const
 {
-	std::vector<std::string> lines = ViewerKeys::help();
+	std::vector<std::string> lines = ViewerKeys::help(m_scene.isDriven());
 	for (const std::string& line : m_scene.keyHelp())
 		lines.push_back(line);
 	lines.push_back(std::string("Camera: ") + m_camera.name());

@@ -1,0 +1,85 @@
+#include "viewerChart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "plot.h"
+#include "viewerBrush.h"
+#include "viewerGl.h"
+
+namespace ep
+{
+namespace
+{
+const int LEFT = 52, RIGHT = 40, TOP = 36, BOTTOM = 32, TICK_TEXT = 6;
+
+/// From 0 to a round number, with a handful of ticks.
+struct Scale
+{
+	Scale(float most, int ticks) : step(float(roundUp(std::max(most, 1e-6f) / float(ticks))))
+	{
+		end = step * std::ceil(most / step + 1e-3f);
+	}
+
+	float step, end;
+};
+
+std::string number(float value)
+{
+	char text[32];
+	std::snprintf(text, sizeof text, "%g", double(value));
+	return text;
+}
+
+/// Sums from below: the first is 0, each further one the upper edge of a band.
+std::vector<std::vector<float>> edges(const Chart& chart)
+{
+	std::vector<std::vector<float>> all(1, std::vector<float>(chart.x.size(), 0));
+	for (const Chart::Band& band : chart.bands)
+	{
+		all.push_back(all.back());
+		for (size_t i = 0; i < chart.x.size(); ++i)
+			all.back()[i] += std::max(0.f, band.values[i]);
+	}
+	return all;
+}
+}  // namespace
+
+void drawChart(const Chart& chart, const Tile& tile)
+{
+	brush::panel(tile.x, tile.y, tile.width, tile.height);
+	brush::write(tile.x + LEFT, tile.y + TOP - 12, chart.title);
+	const int width = tile.width - LEFT - RIGHT, height = tile.height - TOP - BOTTOM;
+	if (chart.x.empty() || width < 1 || height < 1)
+		return;
+
+	const std::vector<std::vector<float>> sums = edges(chart);
+	const Scale xs(chart.x.back(), 4), ys(*std::max_element(sums.back().begin(), sums.back().end()), 4);
+	const auto px = [&](float x) { return float(tile.x + LEFT) + x / xs.end * float(width); };
+	const auto py = [&](float y) { return float(tile.y + TOP + height) - y / ys.end * float(height); };
+
+	for (size_t band = 0; band < chart.bands.size(); ++band)
+	{
+		brush::colour(chart.bands[band].colour);
+		glBegin(GL_QUAD_STRIP);
+		for (size_t i = 0; i < chart.x.size(); ++i)
+		{
+			glVertex2f(px(chart.x[i]), py(sums[band][i]));
+			glVertex2f(px(chart.x[i]), py(sums[band + 1][i]));
+		}
+		glEnd();
+	}
+	for (float y = 0; y <= ys.end * 1.001f; y += ys.step)
+	{
+		glColor4f(1, 1, 1, .25f);
+		brush::rectangle(int(px(0)), int(py(y)), width, 1);
+		brush::write(int(px(0)) - TICK_TEXT - brush::textWidth(number(y)), int(py(y)) + TICK_TEXT, number(y));
+	}
+	for (float x = 0; x <= xs.end * 1.001f; x += xs.step)
+	{
+		const std::string text = number(x) + (x + xs.step > xs.end * 1.001f ? " " + chart.xUnit : "");
+		brush::write(int(px(x)) - brush::textWidth(text) / 2, int(py(0)) + 22, text);
+	}
+}
+}  // namespace ep

@@ -1,0 +1,13 @@
+#ifndef EP_VIEWER_CHART_H
+#define EP_VIEWER_CHART_H
+
+#include "Drawing.h"
+#include "viewerLayout.h"
+
+namespace ep
+{
+/// Draws a chart into a tile; coordinates are the overlay's, pixels from the top left corner.
+void drawChart(const Chart& chart, const Tile& tile);
+}  // namespace ep
+
+#endif  // EP_VIEWER_CHART_H
