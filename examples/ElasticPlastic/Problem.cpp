@@ -12,6 +12,19 @@ namespace ep
 {
 double Quantity::error() const { return std::isfinite(value) ? std::fabs(value / exact - 1) : HUGE_VAL; }
 
+void Run::begin()
+{
+	m_left = m_stepping.substeps;
+	m_control.begin(btScalar(m_stepping.step));
+}
+
+btScalar Run::next()
+{
+	if (m_stepping.error > 0)
+		return m_control.next(m_world.bullet());
+	return m_left-- > 0 ? btScalar(m_stepping.step / m_stepping.substeps) : btScalar(0);
+}
+
 void Run::substep(btScalar dt)
 {
 	if (!m_isBegun)
@@ -22,6 +35,9 @@ void Run::substep(btScalar dt)
 	m_audit.begin();
 	const auto begin = std::chrono::steady_clock::now();
 	m_world.step(dt);
+	if (m_stepping.error > 0)
+		m_control.observe(m_world.bullet(), m_world.action());
+	++m_outcome.substeps;
 	m_outcome.runTime += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 	const double energy = m_audit.end(dt);
 	m_created += std::max(0., energy - m_energy);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
 #include "EnergyAudit.h"
 #include "World.h"
 
@@ -25,6 +26,7 @@ struct Outcome
 	std::vector<Quantity> quantities;
 	double runTime = 0;    ///< of the steps alone [s]
 	double simulated = 0;  ///< [s]
+	int substeps = 0;      ///< that were taken
 	double energyCreated =
 		0;  ///< sum of what the audited energy rose by [J], over the most that it was, kinetic energy included
 
@@ -37,6 +39,7 @@ struct Stepping
 {
 	double step = 1. / 60;  ///< [s]
 	int substeps = 1;
+	double error = 0;  ///< above 0: as many substeps as btElasticPlasticStepControl takes for this error
 };
 
 /// Steps a world, and keeps account of time and energy.
@@ -44,7 +47,7 @@ class Run
 {
 public:
 	Run(World& world, const Stepping& stepping, Outcome& outcome)
-		: m_world(world), m_stepping(stepping), m_outcome(outcome), m_audit(world)
+		: m_world(world), m_stepping(stepping), m_outcome(outcome), m_audit(world), m_control(stepping.error)
 	{
 	}
 	~Run();
@@ -53,10 +56,11 @@ public:
 	template <class Load>
 	void step(const Load& load)
 	{
-		for (int i = 0; i < m_stepping.substeps; ++i)
+		begin();
+		for (btScalar length; (length = next()) > 0;)
 		{
 			load();
-			substep(btScalar(m_stepping.step / m_stepping.substeps));
+			substep(length);
 		}
 	}
 	void step()
@@ -70,12 +74,16 @@ public:
 	double dt() const { return m_stepping.step; }
 
 private:
+	void begin();
+	btScalar next();
 	void substep(btScalar dt);
 
 	World& m_world;
 	Stepping m_stepping;
 	Outcome& m_outcome;
 	EnergyAudit m_audit;
+	btElasticPlasticStepControl m_control;
+	int m_left = 0;  // substeps of the step
 	double m_time = 0, m_energy = 0, m_most = 0, m_created = 0;
 	bool m_isBegun = false;
 };

@@ -84,8 +84,10 @@ Outcome overloaded(const Method& method, const Stepping& stepping)
 		Run run(block.m_world, stepping, outcome);
 		while (run.stepsUntil(1) > 0 && !block.m_joint->isBroken())
 			run.step();
-		if (block.m_joint->isBroken())
-			broken = run.time();
+		btElasticPlasticEvent event;
+		while (block.m_world.action().popEvent(event))
+			if (event.m_type == BT_EP_EVENT_BREAK)
+				broken = event.m_time;
 	}
 	ExactOscillator exact = oscillatorOf(block);
 	double time = 0;

@@ -114,6 +114,16 @@ public:
 	/// Taken from the bodies by the joint in all [J].
 	double getWork() const { return m_state.m_work; }
 
+	/// Rows of the last substep, 0 if the joint had no part in it, and what they were about (see btElasticPlasticStepControl.h):
+	/// degree of freedom, and rate at which the deformation grew before and after [m/s], [rad/s].
+	int getNumCommittedRows() const { return m_step.m_committedRows; }
+	void getCommittedRow(int r, int& dof, btScalar& rateBefore, btScalar& rateAfter) const
+	{
+		dof = m_step.m_row[r].m_dof;
+		rateBefore = -m_step.m_row[r].m_velocity0;
+		rateAfter = -m_step.m_row[r].m_velocity1;
+	}
+
 	bool hasYielded() const { return m_state.m_yielded; }
 	bool isBroken() const { return m_state.m_broken; }
 
@@ -264,6 +274,7 @@ private:
 	{
 		btScalar m_lower, m_upper;  ///< bounds of the impulse
 		btScalar m_velocity0;       ///< J v at the start of the step
+		btScalar m_velocity1;       ///< and at its end, once committed
 		btScalar m_impulse;
 		int m_dof;
 	};
@@ -272,6 +283,7 @@ private:
 	struct Step
 	{
 		int m_rows = 0;
+		int m_committedRows = 0;  ///< until the next commit
 		btScalar m_dt = 0;
 		Request m_request = WHOLE_ROWS;
 		btElasticPlasticKinematics m_kinematics;

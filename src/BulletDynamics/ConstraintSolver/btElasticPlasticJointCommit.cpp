@@ -92,6 +92,7 @@ btElasticPlasticReturn btElasticPlasticJoint::returnMap(const Row& row, btScalar
 
 int btElasticPlasticJoint::commit()
 {
+	m_step.m_committedRows = m_step.m_rows;
 	if (m_step.m_rows == 0)
 		return NOTHING;
 	if (m_step.m_request == WHOLE_ROWS)
@@ -112,8 +113,9 @@ int btElasticPlasticJoint::commit()
 	bool flowed = false;
 	for (int r = 0, rows = m_step.m_rows; r < rows; ++r)
 	{
-		const Row& row = m_step.m_row[r];
+		Row& row = m_step.m_row[r];
 		const int i = row.m_dof;
+		row.m_velocity1 = velocity1[i];
 		const btElasticPlasticReturn mapped = returnMap(row, velocity1[i]);
 		m_state.m_forceRate[i] = (mapped.m_force - m_state.m_force[i]) * rate;
 		m_state.m_force[i] = mapped.m_force;

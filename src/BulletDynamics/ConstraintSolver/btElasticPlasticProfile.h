@@ -1,0 +1,65 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_PROFILE_H
+#define BT_ELASTIC_PLASTIC_PROFILE_H
+
+#include <string>
+
+#include "btElasticPlasticConstraintSolver.h"
+#include "btElasticPlasticStepControl.h"
+
+/// Looks at a world and an error that is allowed, leaves out what this scene does not need, and says why.
+///
+///     btElasticPlasticProfile profile(world, action, &solver, 0.01, 1. / 60);
+///     puts(profile.getText());
+///     ... each frame: profile.step();
+///
+/// What is left out comes back when the running scene needs it: substeps when something is about to yield or to be hit. What
+/// stays is told with its price, as measured (docs/performance.md).
+class btElasticPlasticProfile
+{
+public:
+	/// \param solver  the world's, set by this; null: the world has one of Bullet's, which stays as it is
+	/// \param error   allowed in how much flows, relative: see btElasticPlasticStepControl
+	/// \param step    of the game [s], > 0
+	/// World, action and solver must outlive it.
+	btElasticPlasticProfile(btDynamicsWorld& world, btElasticPlasticAction& action,
+							btElasticPlasticConstraintSolver* solver, double error, btScalar step);
+
+	/// Steps the world by the game's step. \return number of substeps
+	int step() { return m_control.step(m_world, m_action, m_step); }
+
+	/// What was seen, what is left out, and why: a line each.
+	const char* getText() const { return m_text.c_str(); }
+
+	btElasticPlasticStepControl& getControl() { return m_control; }
+
+private:
+	struct Sight;
+
+	Sight look() const;
+	void tell(const char* format, ...);
+	void tellSolver(const Sight& sight, btElasticPlasticConstraintSolver* solver);
+	void tellRest(const Sight& sight);
+
+	btDynamicsWorld& m_world;
+	btElasticPlasticAction& m_action;
+	btElasticPlasticStepControl m_control;
+	btScalar m_step;
+	std::string m_text;
+};
+
+#endif  // BT_ELASTIC_PLASTIC_PROFILE_H

@@ -1,0 +1,289 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#include "btElasticPlasticStepControl.h"
+
+#include "LinearMath/btHashMap.h"
+
+#include <math.h>
+
+#include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+
+void btElasticPlasticStepControl::setError(double error)
+{
+	m_error = error == error ? btMax(1e-6, btMin(1., error)) : 0.01;
+	expectBlow();
+}
+
+void btElasticPlasticStepControl::expectBlow()
+{
+	// A spring that is resolved by this has T = error / 16: it takes two coarser steps to see whether there is one.
+	m_level = btMin(int(MAX_LEVEL), 2 + int(ceil(0.5 * log2(1 / m_error))));
+}
+
+void btElasticPlasticStepControl::begin(btScalar dt)
+{
+	m_dt = dt;
+	m_left = dt > 0 && btElasticPlasticIsFinite(dt) ? 1 << MAX_LEVEL : 0;
+}
+
+namespace
+{
+/// The largest power of two that divides x.
+int lowestBit(int x) { return x & -x; }
+}  // namespace
+
+namespace
+{
+/// How fast a body comes near others that it has not met, where one of the two has constraints, over how far it may go in a
+/// substep: penetration that joints are pushed apart by is work from nowhere.
+struct Approach : btBroadphaseAabbCallback
+{
+	btDynamicsWorld& m_world;
+	btRigidBody* m_body = nullptr;
+	double m_rate = 0;  ///< the largest [1/s]
+
+	explicit Approach(btDynamicsWorld& world) : m_world(world) {}
+
+	static btScalar leastEdge(const btBroadphaseProxy& proxy)
+	{
+		const btVector3 size = proxy.m_aabbMax - proxy.m_aabbMin;
+		return size[size.minAxis()];
+	}
+
+	/// Looks along the way of the next dt.
+	void look(btRigidBody& body, btScalar dt)
+	{
+		const btBroadphaseProxy* const proxy = body.getBroadphaseProxy();
+		const btVector3 way = body.getLinearVelocity() * dt;
+		if (!proxy || proxy->m_collisionFilterMask == 0 || way.length() < SHARE * leastEdge(*proxy))
+			return;
+		btVector3 from = proxy->m_aabbMin, to = proxy->m_aabbMax;
+		from.setMin(from + way);
+		to.setMax(to + way);
+		m_body = &body;
+		m_world.getBroadphase()->aabbTest(from, to, *this);
+	}
+
+	bool process(const btBroadphaseProxy* other) override
+	{
+		btBroadphaseProxy* const mine = m_body->getBroadphaseProxy();
+		btCollisionObject* const object = static_cast<btCollisionObject*>(other->m_clientObject);
+		btRigidBody* const body = btRigidBody::upcast(object);
+		if (other == mine || !body || (m_body->getNumConstraintRefs() == 0 && body->getNumConstraintRefs() == 0) ||
+			!m_world.getPairCache()->needsBroadphaseCollision(mine, const_cast<btBroadphaseProxy*>(other)) ||
+			!m_body->checkCollideWith(body))
+			return true;
+		const btScalar speed = (m_body->getLinearVelocity() - body->getLinearVelocity()).length();
+		m_rate = btMax(m_rate, double(speed / (SHARE * btMin(leastEdge(*mine), leastEdge(*other)))));
+		return true;
+	}
+
+	static constexpr btScalar SHARE = btScalar(0.05);  ///< of the smaller body's least edge
+};
+}  // namespace
+
+void btElasticPlasticStepControl::lookAhead(btDynamicsWorld& world)
+{
+	Approach approach(world);
+	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+	const btScalar length = m_dt / btScalar(1 << m_level);
+	for (int i = 0; i < objects.size(); ++i)
+	{
+		btRigidBody* const body = btRigidBody::upcast(objects[i]);
+		if (body && body->getInvMass() > 0 && body->isActive())
+			approach.look(*body, length);
+	}
+	while (m_level < MAX_LEVEL && approach.m_rate * double(m_dt) > double(1 << m_level))
+		++m_level;
+}
+
+btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
+{
+	if (m_left <= 0)
+		return 0;
+	lookAhead(world);
+	// Substeps begin at multiples of their length, so that the step ends with a whole one.
+	while (1 << (MAX_LEVEL - m_level) > lowestBit(m_left))
+		++m_level;
+	const btScalar share = 1 / btScalar(1 << m_level);
+	btContactSolverInfo& info = world.getSolverInfo();
+	m_erp = info.m_erp;
+	m_erp2 = info.m_erp2;
+	info.m_erp *= share;
+	info.m_erp2 *= share;
+	return m_dt * share;
+}
+
+void btElasticPlasticStepControl::addBodies(const btDynamicsWorld& world)
+{
+	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+	const Island none = {0, 0, 0, {0, 0, 0}, false};
+	m_islands.resize(0);
+	m_islands.resize(objects.size(), none);
+	for (int i = 0; i < objects.size(); ++i)
+	{
+		const btRigidBody* const body = btRigidBody::upcast(objects[i]);
+		if (!body || body->getInvMass() == 0 || !body->isActive())
+			continue;
+		const int tag = body->getIslandTag();
+		if (tag < 0 || tag >= m_islands.size())
+			continue;
+		Island& island = m_islands[tag];
+		const double mass = 1 / double(body->getInvMass());
+		const btVector3& v = body->getLinearVelocity();
+		const btVector3 spin = body->getAngularVelocity() * body->getCenterOfMassTransform().getBasis();
+		island.m_mass += mass;
+		for (int k = 0; k < 3; ++k)
+		{
+			island.m_momentum[k] += mass * double(v[k]);
+			island.m_energy += 0.5 * mass * double(v[k]) * double(v[k]);
+			if (body->getInvInertiaDiagLocal()[k] > 0)
+				island.m_energy += 0.5 * double(spin[k]) * double(spin[k]) / double(body->getInvInertiaDiagLocal()[k]);
+		}
+	}
+}
+
+void btElasticPlasticStepControl::addJoints(btElasticPlasticAction& action, double length)
+{
+	for (int i = action.getNumJoints() - action.getNumBroken() - 1; i >= 0; --i)
+	{
+		const btElasticPlasticJoint& joint = *action.getJoint(i);
+		const btRigidBody &a = joint.getConstraint().getRigidBodyA(), &b = joint.getConstraint().getRigidBodyB();
+		const bool isHeld = a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject();
+		const int tag = (a.isStaticOrKinematicObject() ? b : a).getIslandTag();
+		if (tag < 0 || tag >= m_islands.size())
+			continue;
+		Island& island = m_islands[tag];
+		island.m_isHeld |= isHeld;
+		island.m_energy += joint.getPlasticEnergy();
+		for (int r = 0; r < joint.getNumCommittedRows(); ++r)
+			addRow(island, joint, r, length);
+	}
+}
+
+void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length) const
+{
+	int dof;
+	btScalar before, after;
+	joint.getCommittedRow(r, dof, before, after);
+	const btElasticPlasticCapacity& capacity = joint.getCapacity();
+	const double yield = capacity.m_yield[dof], change = fabs(double(after - before));
+	if (!capacity.isRigidPlastic(dof))
+	{
+		const double stiffness = capacity.m_stiffness[dof];
+		// Where the force gets to within a step: nothing is near yield that stays below half of it.
+		const double ahead = fabs(double(joint.getForce(dof))) +
+							 stiffness * double(m_dt) * (fabs(double(after)) + change * double(m_dt) / (2 * length));
+		if (joint.getPlasticPath(dof) == 0 && ahead < yield / 2)
+			return;
+		island.m_energy += 0.5 * yield * yield / stiffness;
+	}
+	island.m_openWork += yield * length * change;
+}
+
+void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlasticAction& action)
+{
+	world.getSolverInfo().m_erp = m_erp;
+	world.getSolverInfo().m_erp2 = m_erp2;
+	m_left -= 1 << (MAX_LEVEL - m_level);
+	const btScalar length = m_dt / btScalar(1 << m_level);
+	addBodies(world);
+	addJoints(action, double(length));
+	m_openShare = 0;
+	for (int i = 0; i < m_islands.size(); ++i)
+	{
+		Island& island = m_islands[i];
+		if (island.m_openWork == 0)
+			continue;
+		// Of what is not held, the motion of the whole will not be dissipated.
+		for (int k = 0; k < 3 && !island.m_isHeld; ++k)
+			island.m_energy -= 0.5 * island.m_momentum[k] * island.m_momentum[k] / island.m_mass;
+		m_openShare = btMax(m_openShare, island.m_openWork / btMax(island.m_energy, island.m_openWork));
+	}
+	if (m_openShare > m_error)
+		m_level = btMin(int(MAX_LEVEL), m_level + int(ceil(0.5 * log2(m_openShare / m_error))));
+	m_calm = m_openShare > m_error / 8 ? btScalar(0) : m_calm + length;
+	// A swing has moments at which it leaves little open, and every change of the step takes energy out of it: calm is what
+	// has lasted, or what leaves next to nothing.
+	if (m_calm >= CALM_STEPS * m_dt || m_openShare < m_error / 1000)
+	{
+		m_level = btMax(0, m_level - 1);
+		m_calm = 0;
+	}
+}
+
+namespace
+{
+/// What acts on the bodies from outside. Bullet takes it off at the end of each substep.
+class Loads
+{
+public:
+	explicit Loads(const btDynamicsWorld& world) : m_objects(world.getCollisionObjectArray())
+	{
+		for (int i = 0; i < m_objects.size(); ++i)
+		{
+			const btRigidBody* const body = btRigidBody::upcast(m_objects[i]);
+			if (body && !(body->getTotalForce().isZero() && body->getTotalTorque().isZero()))
+				m_loads.insert(btHashPtr(body), {over(body->getTotalForce(), body->getLinearFactor()),
+												 over(body->getTotalTorque(), body->getAngularFactor())});
+		}
+	}
+
+	/// To those bodies that are still there: what breaks may be deleted after any substep.
+	void apply() const
+	{
+		for (int i = 0; i < m_objects.size() && m_loads.size() > 0; ++i)
+			if (const Load* const load = m_loads.find(btHashPtr(m_objects[i])))
+			{
+				btRigidBody& body = *btRigidBody::upcast(m_objects[i]);
+				body.applyCentralForce(load->m_force);
+				body.applyTorque(load->m_torque);
+			}
+	}
+
+private:
+	struct Load
+	{
+		btVector3 m_force, m_torque;
+	};
+
+	/// Bullet multiplies loads by the body's factors when they are applied.
+	static btVector3 over(btVector3 load, const btVector3& factor)
+	{
+		for (int k = 0; k < 3; ++k)
+			load[k] = factor[k] == 0 ? btScalar(0) : load[k] / factor[k];
+		return load;
+	}
+
+	const btCollisionObjectArray& m_objects;
+	btHashMap<btHashPtr, Load> m_loads;
+};
+}  // namespace
+
+int btElasticPlasticStepControl::step(btDynamicsWorld& world, btElasticPlasticAction& action, btScalar dt)
+{
+	const Loads loads(world);
+	int substeps = 0;
+	begin(dt);
+	for (btScalar length; (length = next(world)) > 0; ++substeps)
+	{
+		if (substeps > 0)
+			loads.apply();
+		world.stepSimulation(length, 0);
+		observe(world, action);
+	}
+	return substeps;
+}

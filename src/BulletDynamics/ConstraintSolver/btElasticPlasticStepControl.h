@@ -1,0 +1,102 @@
+/*
+Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
+Copyright (c) 2026 Bullet Elastic-Plastic contributors
+
+This software is provided 'as-is', without any express or implied warranty.
+In no event will the authors be held liable for any damages arising from the use of this software.
+Permission is granted to anyone to use this software for any purpose,
+including commercial applications, and to alter it and redistribute it freely,
+subject to the following restrictions:
+
+1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
+2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
+3. This notice may not be removed or altered from any source distribution.
+*/
+
+#ifndef BT_ELASTIC_PLASTIC_STEP_CONTROL_H
+#define BT_ELASTIC_PLASTIC_STEP_CONTROL_H
+
+#include "LinearMath/btAlignedObjectArray.h"
+#include "btElasticPlasticAction.h"
+
+/// Chooses the substeps of a world by what they leave open: fine while something yields or is about to, coarse else.
+///
+/// A substep of length h takes the rate of deformation v as constant. What that leaves out is the second difference of the
+/// deformation, h |v1 - v0|, which falls as h^2. Times the yield value it is work that may have gone one way or the other:
+/// btElasticPlasticJoint::getOpenWork(). Set against the energy that is there to be dissipated,
+///
+///     T = sum of open work / (kinetic energy + plastic energy + energy of the springs at yield),
+///
+/// of an island, it is close to the error in how much flows, within a factor of 3 from 60 to 4000 steps a second, for single
+/// degrees of freedom as for beams under blows (docs/performance.md). So h is made so short that T stays below the error
+/// allowed, and doubled after some steps of calm.
+///
+/// Only degrees of freedom count that have flowed or may reach half of their yield value within a step, by their force's rate
+/// and its change. Elastic motion far from yield asks for nothing: where a structure comes to rest does not depend on the
+/// step. A body that nears a joined one goes no further in a substep than a twentieth of the smaller one's least edge.
+class btElasticPlasticStepControl
+{
+public:
+	/// \param error  allowed in how much flows, relative; 1e-6 to 1, else the nearer of these, not a number: 0.01
+	explicit btElasticPlasticStepControl(double error = 0.01) { setError(error); }
+
+	void setError(double error);
+	double getError() const { return m_error; }
+
+	/// Steps the world by dt > 0 [s], in substeps. Forces that were applied before hold throughout.
+	/// \return how many substeps; 0, and nothing happens, if dt is not a positive number
+	int step(btDynamicsWorld& world, btElasticPlasticAction& action, btScalar dt);
+
+	// ---- the same piece by piece, for those who do something between substeps
+
+	/// Begins a step of dt > 0 [s].
+	void begin(btScalar dt);
+
+	/// Length of the next substep, for btDynamicsWorld::stepSimulation(length, 0) [s]; 0: the step is over.
+	/// During the substep the world's error reduction (btContactSolverInfo::m_erp, m_erp2) is less in proportion: penetration
+	/// that a long step has left would else be pushed out at the speed of a blow.
+	btScalar next(btDynamicsWorld& world);
+
+	/// After the substep: looks at what it has left open.
+	void observe(btDynamicsWorld& world, btElasticPlasticAction& action);
+
+	// ---- what it tells
+
+	/// T of the last substep, the largest of all islands.
+	double getOpenShare() const { return m_openShare; }
+
+	/// How many substeps of the present length make a step.
+	int getSubsteps() const { return 1 << m_level; }
+
+	/// Makes the next substep a fine one: a blow is coming that the world does not show yet. Worlds begin with it.
+	void expectBlow();
+
+	/// Most substeps of a step: 1 << MAX_LEVEL.
+	static constexpr int MAX_LEVEL = 12;
+
+private:
+	/// How many steps have to leave little open before the substep is doubled.
+	static constexpr int CALM_STEPS = 4;
+
+	struct Island
+	{
+		double m_openWork, m_energy, m_mass, m_momentum[3];
+		bool m_isHeld;  ///< by something that does not move with it
+	};
+
+	void lookAhead(btDynamicsWorld& world);
+	void addBodies(const btDynamicsWorld& world);
+	void addJoints(btElasticPlasticAction& action, double length);
+	void addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length) const;
+
+	double m_error;
+	btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while a substep is under way
+	double m_openShare = 0;
+	int m_level;                             ///< the substep is the step over 1 << m_level
+	btScalar m_dt = 0;                       ///< of the step
+	btScalar m_calm = 0;                     ///< for how long little has been left open [s]
+	int m_left = 0;                          ///< of the step, in parts of it over 1 << MAX_LEVEL
+	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's tag
+};
+
+#endif  // BT_ELASTIC_PLASTIC_STEP_CONTROL_H
