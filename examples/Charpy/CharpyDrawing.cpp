@@ -59,7 +59,7 @@ std::vector<Part> charpyParts(const Charpy& charpy, bool cut)
 	const int n = int(bodies.pieces.size());
 	for (int i = 0; i < n; ++i)
 		parts.push_back(
-			upright(s, pieceShape(s, i), bodies.pieces[size_t(i)]->getWorldTransform(), 1, HALF[n > 1 && 2 * i >= n]));
+			upright(s, pieceShape(s), bodies.pieces[size_t(i)]->getWorldTransform(), 1, HALF[n > 1 && 2 * i >= n]));
 	parts.push_back(upright(s, hammerShape(s), bodies.hammer->getWorldTransform(), top, HAMMER));
 	if (!cut)
 		parts.push_back(arm(s, bodies.hammer->getWorldTransform()));

@@ -58,6 +58,24 @@ btVector3 turned(const btVector3& v, double angle)
 bool isPaper(const CharpySettings& s) { return s.geometry == CharpyGeometry::Paper; }
 
 int numPieces(const CharpySettings& s) { return s.way == CharpyWay::Rigid ? 1 : s.pieces; }
+
+/// What slides along the specimen would catch at the next piece's end, for Bullet pushes a corner that is in by a little out
+/// the short way, back along the specimen. So a piece reaches past its inner ends, there below its neighbour's faces: what
+/// arrives finds a face that rises by 1 in 20.
+CharpyShape reachingShape(const CharpySettings& s, int i)
+{
+	const double x = s.height / 2, reach = 1e-3, depth = 0.1e-3;
+	CharpyShape shape = {{}, s.width};
+	for (int side : {-1, 1})
+	{
+		const bool inner = side < 0 ? i > 0 : i + 1 < numPieces(s);
+		const double end = side * s.length / numPieces(s) / 2, past = inner ? side * reach : 0, low = inner ? depth : 0;
+		for (const btVector3& c : {corner(side * x, end - past), corner(side * (x - low), end + past),
+								   corner(-side * (x - low), end + past), corner(-side * x, end - past)})
+			shape.plan.push_back(c);
+	}
+	return shape;
+}
 }  // namespace
 
 CharpyShape hammerShape(const CharpySettings& s)
@@ -77,25 +95,7 @@ CharpyShape hammerShape(const CharpySettings& s)
 			s.hammerHeight};
 }
 
-CharpyShape pieceShape(const CharpySettings& s, int i)
-{
-	const int n = numPieces(s);
-	const double length = s.length / n, x = s.height / 2;
-	if (n <= 2)
-		return boxShape(s.height, s.width, length);
-	// What slides along the specimen would catch at the next piece's end face: inner ends are chamfered, 1 in 10.
-	const double depth = 0.05e-3, along = 0.5e-3;
-	CharpyShape shape = {{}, s.width};
-	for (int side : {-1, 1})
-	{
-		const bool inner = side < 0 ? i > 0 : i + 1 < n;
-		const double end = side * length / 2, flat = inner ? end - side * along : end, low = inner ? x - depth : x;
-		for (const btVector3& c :
-			 {corner(side * x, flat), corner(-side * -low, end), corner(-side * low, end), corner(-side * x, flat)})
-			shape.plan.push_back(c);
-	}
-	return shape;
-}
+CharpyShape pieceShape(const CharpySettings& s) { return boxShape(s.height, s.width, s.length / numPieces(s)); }
 
 CharpyShape anvilShape(const CharpySettings& s, bool left)
 {
@@ -147,8 +147,11 @@ CharpyParts::CharpyParts(World& world, const CharpySettings& s)
 	const double mass = s.density * s.length * s.width * s.height / n;
 	for (int i = 0; i < n; ++i)
 	{
-		btCollisionShape* const shape = makeShape(world, pieceShape(s, i), s, n <= 2);
-		btRigidBody* const piece = finish(world.body(btScalar(mass), shape, at(s, pieceCentre(s, i))));
+		btCollisionShape* const block = makeShape(world, pieceShape(s), s, true);
+		btRigidBody* const piece = finish(world.body(btScalar(mass), block, at(s, pieceCentre(s, i))));
+		// Two alone need nothing of the kind, and a box has better contacts.
+		if (n > 2)
+			piece->setCollisionShape(makeShape(world, reachingShape(s, i), s, false));
 		// The seat that bears its weight before the blow is left out.
 		piece->setGravity(btVector3(0, 0, 0));
 		// At the notch pieces overlap when they bend, which is no contact: neighbours' neighbours, too, if they are short.

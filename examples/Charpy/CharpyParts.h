@@ -16,7 +16,8 @@ struct CharpyShape
 };
 
 CharpyShape hammerShape(const CharpySettings& settings);
-CharpyShape pieceShape(const CharpySettings& settings, int i);
+/// What it weighs and looks like.
+CharpyShape pieceShape(const CharpySettings& settings);
 /// The left one is at z < 0.
 CharpyShape anvilShape(const CharpySettings& settings, bool left);
 
