@@ -57,7 +57,7 @@ btVector3 turned(const btVector3& v, double angle)
 
 bool isPaper(const CharpySettings& s) { return s.geometry == CharpyGeometry::Paper; }
 
-int numPieces(const CharpySettings& s) { return s.way == CharpyWay::Rigid ? 1 : s.pieces; }
+int numPieces(const CharpySettings& s) { return s.way == kinds::Rigid ? 1 : s.pieces; }
 }  // namespace
 
 CharpyShape hammerShape(const CharpySettings& s)
