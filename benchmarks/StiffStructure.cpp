@@ -92,7 +92,7 @@ void StiffStructure::join(btRigidBody& a, btRigidBody& b, const btVector3& place
 	if (m_settings.joints == Joints::ElasticPlastic)
 		m_world.joint(a, b, frame, capacity);
 	else
-		m_world.add(makeBulletsOwn(m_settings.joints, a, b, frame, capacity));
+		m_world.add(makeBulletsOwn({m_settings.joints}, a, b, frame, capacity));
 }
 
 void StiffStructure::buildChain(int blocks, btScalar z)

@@ -125,8 +125,8 @@ private:
 			capacity.m_ductility[i] = btElasticPlasticCapacity::unlimited();
 		if (m_kind == Kind::Fixed || m_kind == Kind::Spring2)
 		{
-			const Joints joints = m_kind == Kind::Fixed ? Joints::Fixed : Joints::Springs;
-			m_world.add(makeBulletsOwn(joints, a, b, frame, capacity));
+			const JointKind kind = m_kind == Kind::Fixed ? kinds::Rigid : kinds::Spring2;
+			m_world.add(makeBulletsOwn(kind, a, b, frame, capacity));
 			return;
 		}
 		if (m_kind == Kind::AllBroken || (m_kind == Kind::HalfBroken && index % 2))

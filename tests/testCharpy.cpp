@@ -98,8 +98,8 @@ TEST(Charpy, BothClassesAreTheSame)
 	for (bool paper : {false, true})
 	{
 		CharpySettings first, second;
-		first.way = paper ? CharpyWay::Ep1Paper : CharpyWay::Ep1;
-		second.way = paper ? CharpyWay::Ep2Paper : CharpyWay::Ep2;
+		first.way = paper ? kinds::Ep1Paper : kinds::Ep1;
+		second.way = paper ? kinds::Ep2Paper : kinds::Ep2;
 		// The paper's schemes differ: one brakes, the other springs. Here both are rigid-plastic: within a substep or two.
 		const double loss = run(first).loss();
 		EXPECT_NEAR(loss, run(second).loss(), (paper ? 0.02 : 1e-6) * loss);
@@ -189,7 +189,7 @@ TEST(Charpy, EnergyFollowsThePlasticMoment)
 
 TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 {
-	for (CharpyWay way : {CharpyWay::Ep1, CharpyWay::Ep2, CharpyWay::PlasticHinge})
+	for (JointKind way : {kinds::Ep1, kinds::Ep2, kinds::PlasticHinge})
 	{
 		double last = 0;
 		for (double rotation : {0.2, 1., 1.8})
@@ -199,7 +199,7 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 			s.maxRotation = rotation;
 			Charpy charpy(s);
 			const CharpyResult r = charpy.run();
-			SCOPED_TRACE(testing::Message() << int(way) << " " << rotation);
+			SCOPED_TRACE(testing::Message() << nameOf(charpyWays(), way) << " " << rotation);
 			EXPECT_TRUE(r.broken);
 			EXPECT_EQ(CharpyOutcome::Passed, r.outcome);
 			// A break is noticed at the end of a substep; just after the blow that may turn the hinge by more than its bound.
@@ -222,7 +222,7 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 TEST(Charpy, EachWayDoesWhatItCan)
 {
 	CharpySettings s;
-	s.way = CharpyWay::Rigid;
+	s.way = kinds::Rigid;
 	s.restitution = 0.5;
 	const CharpyResult rigid = run(s);
 	EXPECT_EQ(CharpyOutcome::Bounced, rigid.outcome);
@@ -230,22 +230,22 @@ TEST(Charpy, EachWayDoesWhatItCan)
 	EXPECT_EQ(0, rigid.hingeAngle);
 	s.restitution = 0;
 
-	s.way = CharpyWay::Breaking;
+	s.way = kinds::Breaking;
 	const CharpyResult brittle = run(s);
 	EXPECT_TRUE(brittle.broken);
 	EXPECT_LT(brittle.loss(), 0.05 * brittle.passingAngle * brittle.plasticMoment);
 
-	for (CharpyWay way : {CharpyWay::Spring, CharpyWay::Spring2})
+	for (JointKind way : {kinds::Spring, kinds::Spring2})
 	{
 		s.way = way;
 		const CharpyResult spring = run(s);
-		EXPECT_EQ(CharpyOutcome::Bounced, spring.outcome) << int(way);
-		EXPECT_FALSE(spring.broken) << int(way);
+		EXPECT_EQ(CharpyOutcome::Bounced, spring.outcome) << nameOf(charpyWays(), way);
+		EXPECT_FALSE(spring.broken) << nameOf(charpyWays(), way);
 		// Less what friction takes, it is all there to spring back.
-		EXPECT_GT(spring.elasticEnergy, 0.85 * spring.loss()) << int(way);
+		EXPECT_GT(spring.elasticEnergy, 0.85 * spring.loss()) << nameOf(charpyWays(), way);
 	}
 
-	s.way = CharpyWay::HingeMotor;
+	s.way = kinds::HingeMotor;
 	const CharpyResult motor = run(s);
 	EXPECT_EQ(CharpyOutcome::Passed, motor.outcome);
 	// It has no elasticity to spring back.

@@ -90,7 +90,7 @@ private:
 	World m_world;
 	CharpyParts m_parts;
 	CharpyEnergy m_energy;
-	std::vector<std::unique_ptr<CharpyJoint>> m_joints;
+	std::vector<CharpyJoint> m_joints;
 	CharpyOutcome m_outcome = CharpyOutcome::Swinging;
 	CharpyResult m_result;     ///< what does not come from the books
 	double m_perJoule;         ///< Bullet's unit of energy over the joule

@@ -7,21 +7,6 @@
 
 namespace ep
 {
-/// The joint between two pieces, in one of the ways of modelling. Energies are in Bullet's unit of length.
-class CharpyJoint
-{
-public:
-	virtual ~CharpyJoint() = default;
-	virtual void beforeStep(btScalar) {}
-	virtual void afterStep(btScalar) {}
-	/// That it can be computed with [s].
-	virtual double longestStep() const { return HUGE_VAL; }
-	virtual bool isBroken() const = 0;
-	virtual double plasticWork() const = 0;
-	virtual double elasticEnergy() const = 0;
-	virtual double numericalEnergy() const = 0;
-};
-
 /// What a joint has to bear, and where it is.
 struct CharpyJointPlace
 {
@@ -31,8 +16,28 @@ struct CharpyJointPlace
 	double pieceLength;  ///< [m]
 };
 
-std::unique_ptr<CharpyJoint> makeCharpyJoint(World& world, CharpyEnergy& energy, const CharpySettings& settings,
-											 const CharpyJointPlace& place);
+/// The joint between two pieces, in one of the ways of modelling. Energies are in Bullet's unit of length.
+class CharpyJoint
+{
+public:
+	CharpyJoint(World& world, CharpyEnergy& energy, const CharpySettings& settings, const CharpyJointPlace& place);
+
+	/// That it can be computed with [s].
+	double longestStep() const { return m_bullets ? m_bullets->longestStep() : HUGE_VAL; }
+	bool isBroken() const { return m_bullets ? m_bullets->isBroken() : m_joint->isBroken(); }
+	double plasticWork() const;
+	double elasticEnergy() const { return m_bullets ? m_bullets->elasticEnergy() : m_joint->getElasticEnergy(); }
+	double numericalEnergy() const;
+
+private:
+	/// From the bodies, in all, by one of Bullet's.
+	double taken() const { return -m_energy.work(m_number); }
+
+	CharpyEnergy& m_energy;
+	const btElasticPlasticJoint* m_joint;
+	const BulletJoint* m_bullets;  // in its place, or null
+	int m_number = 0;              // in the books of energy
+};
 }  // namespace ep
 
 #endif  // EP_CHARPY_JOINTS_H

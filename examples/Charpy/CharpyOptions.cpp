@@ -3,30 +3,17 @@
 #include <cmath>
 #include <cstdio>
 
+#include "OptionRange.h"
+
 namespace ep
 {
 namespace
 {
-std::string format(const char* pattern, double a, double b)
+std::string format(const char* pattern, double a)
 {
 	char text[128];
-	std::snprintf(text, sizeof text, pattern, a, b);
+	std::snprintf(text, sizeof text, pattern, a);
 	return text;
-}
-
-/// CLI::Range lets what is not a number pass.
-CLI::Validator range(double low, double high)
-{
-	const auto check = [low, high](std::string& text)
-	{
-		double value = 0;
-		if (!CLI::detail::lexical_cast(text, value))
-			return "'" + text + "' is no number; " + format("it must be from %g to %g", low, high);
-		if (!(value >= low && value <= high))
-			return "'" + text + "' is out of range; " + format("it must be from %g to %g", low, high);
-		return std::string();
-	};
-	return CLI::Validator(check, format("%g to %g", low, high));
 }
 }  // namespace
 
@@ -36,7 +23,7 @@ void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help,
 	const auto take = [this, field, unit](const double& value)
 	{ m_given.push_back([field, value, unit](CharpySettings& s) { s.*field = value * unit; }); };
 	CLI::Option* const option = app.add_option_function<double>(name, take, help);
-	option->check(range(low, high))->default_str(format("%g", CharpySettings().*field / unit, 0));
+	option->check(optionRange(low, high))->default_str(format("%g", CharpySettings().*field / unit));
 }
 
 void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help, int CharpySettings::*field, int low,
@@ -45,25 +32,21 @@ void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help,
 	const auto take = [this, field](const int& value)
 	{ m_given.push_back([field, value](CharpySettings& s) { s.*field = value; }); };
 	CLI::Option* const option = app.add_option_function<int>(name, take, help);
-	option->check(range(low, high))->default_str(format("%g", CharpySettings().*field, 0));
+	option->check(optionRange(low, high))->default_str(format("%g", CharpySettings().*field));
 }
 
 template <class Value>
 void CharpyOptions::addName(CLI::App& app, const char* name, const char* help, Value CharpySettings::*field,
-							const std::vector<CharpyName<Value>>& names)
+							const std::vector<Named<Value>>& names)
 {
 	const auto take = [this, field, &names](const std::string& text)
 	{
-		for (const CharpyName<Value>& n : names)
-			if (text == n.name)
-				m_given.push_back([field, value = n.value](CharpySettings& s) { s.*field = value; });
+		if (const Value* value = findNamed(names, text))
+			m_given.push_back([field, value = *value](CharpySettings& s) { s.*field = value; });
 	};
-	std::vector<std::string> choices;
-	for (const CharpyName<Value>& n : names)
-		choices.push_back(n.name);
 	app.add_option_function<std::string>(name, take, help)
-		->check(CLI::IsMember(choices))
-		->default_str(charpyNameOf(names, CharpySettings().*field));
+		->check(CLI::IsMember(namesOf(names)))
+		->default_str(nameOf(names, CharpySettings().*field));
 }
 
 CharpyOptions::CharpyOptions(CLI::App& app)
@@ -76,7 +59,7 @@ CharpyOptions::CharpyOptions(CLI::App& app)
 		->check(CLI::IsMember({"repeatable", "paper"}));
 	addName(app, "--joint", "How the specimen holds together", &CharpySettings::way, charpyWays());
 	addName(app, "--geometry", "Of hammer and anvils", &CharpySettings::geometry, charpyGeometries());
-	addName(app, "--solver", "Bullet's, or ours in one of its forms", &CharpySettings::solver, charpySolvers());
+	addName(app, "--solver", "Bullet's, or ours in one of its forms", &CharpySettings::solver, solvers());
 	addNumber(app, "--dt", "Time step in the impact [ms]", &CharpySettings::step, 1e-3, 1e-4, 5);
 	addNumber(app, "--hinge-step", "Greatest rotation of the hinge in an internal substep, 0: no bound [rad]",
 			  &CharpySettings::hingeStep, 1, 0, 1);

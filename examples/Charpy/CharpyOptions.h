@@ -21,7 +21,7 @@ private:
 	void addNumber(CLI::App& app, const char* name, const char* help, int CharpySettings::*field, int low, int high);
 	template <class Value>
 	void addName(CLI::App& app, const char* name, const char* help, Value CharpySettings::*field,
-				 const std::vector<CharpyName<Value>>& names);
+				 const std::vector<Named<Value>>& names);
 
 	std::string m_preset = "repeatable";
 	std::vector<std::function<void(CharpySettings&)>> m_given;

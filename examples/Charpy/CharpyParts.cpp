@@ -57,7 +57,7 @@ btVector3 turned(const btVector3& v, double angle)
 
 bool isPaper(const CharpySettings& s) { return s.geometry == CharpyGeometry::Paper; }
 
-int numPieces(const CharpySettings& s) { return s.way == CharpyWay::Rigid ? 1 : s.pieces; }
+int numPieces(const CharpySettings& s) { return s.way == kinds::Rigid ? 1 : s.pieces; }
 
 /// What slides along the specimen would catch at the next piece's end, for Bullet pushes a corner that is in by a little out
 /// the short way, back along the specimen. So a piece reaches past its inner ends, there below its neighbour's faces: what

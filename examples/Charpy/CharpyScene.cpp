@@ -80,8 +80,7 @@ std::vector<std::string> CharpyScene::text() const
 	const CharpySettings& s = m_settings;
 	const CharpyResult r = m_charpy->result();
 	return {
-		format("%s, %s", charpyNameOf(charpyWays(), s.way).c_str(),
-			   charpyNameOf(charpyGeometries(), s.geometry).c_str()),
+		format("%s, %s", nameOf(charpyWays(), s.way).c_str(), nameOf(charpyGeometries(), s.geometry).c_str()),
 		format("Step in the impact  %g ms", s.step * 1e3),
 		format("Hammer  %.1f J at %.3f rad, lost %.1f J", r.hammerAfter, m_charpy->angle(),
 			   m_charpy->hasStruck() ? r.loss() : 0.),
@@ -95,7 +94,7 @@ std::vector<std::string> CharpyScene::text() const
 
 void CharpyScene::key(char key)
 {
-	const std::vector<CharpyName<CharpyWay>>& ways = charpyWays();
+	const std::vector<Named<JointKind>>& ways = charpyWays();
 	switch (key)
 	{
 		case 'x':

@@ -5,32 +5,17 @@
 
 namespace ep
 {
-const std::vector<CharpyName<CharpyWay>>& charpyWays()
+const std::vector<Named<JointKind>>& charpyWays()
 {
-	static const std::vector<CharpyName<CharpyWay>> names = {{"rigid", CharpyWay::Rigid},
-															 {"breaking", CharpyWay::Breaking},
-															 {"spring", CharpyWay::Spring},
-															 {"spring2", CharpyWay::Spring2},
-															 {"hinge-motor", CharpyWay::HingeMotor},
-															 {"plastic-hinge", CharpyWay::PlasticHinge},
-															 {"ep1", CharpyWay::Ep1},
-															 {"ep2", CharpyWay::Ep2},
-															 {"ep1-paper", CharpyWay::Ep1Paper},
-															 {"ep2-paper", CharpyWay::Ep2Paper}};
-	return names;
+	// Without a joint there is nothing to test.
+	static const std::vector<Named<JointKind>> ways(jointKinds().begin() + 1, jointKinds().end());
+	return ways;
 }
 
-const std::vector<CharpyName<CharpyGeometry>>& charpyGeometries()
+const std::vector<Named<CharpyGeometry>>& charpyGeometries()
 {
-	static const std::vector<CharpyName<CharpyGeometry>> names = {{"paper", CharpyGeometry::Paper},
-																  {"repeatable", CharpyGeometry::Repeatable}};
-	return names;
-}
-
-const std::vector<CharpyName<Solver>>& charpySolvers()
-{
-	static const std::vector<CharpyName<Solver>> names = {
-		{"stock", Solver::Stock}, {"iterative", Solver::Iterative}, {"direct", Solver::Direct}};
+	static const std::vector<Named<CharpyGeometry>> names = {{"paper", CharpyGeometry::Paper},
+															 {"repeatable", CharpyGeometry::Repeatable}};
 	return names;
 }
 
@@ -38,7 +23,7 @@ CharpySettings CharpySettings::paper()
 {
 	CharpySettings s;
 	s.geometry = CharpyGeometry::Paper;
-	s.way = CharpyWay::Ep2Paper;
+	s.way = kinds::Ep2Paper;
 	s.solver = Solver::Stock;
 	s.iterations = 10;
 	s.friction = 0.25;  // Bullet's default of 0.5 on both bodies

@@ -1,54 +1,19 @@
 #ifndef EP_CHARPY_SETTINGS_H
 #define EP_CHARPY_SETTINGS_H
 
-#include <string>
-#include <vector>
-
 #include "World.h"
 
 namespace ep
 {
-/// How the specimen holds together.
-enum class CharpyWay
-{
-	Rigid,         ///< one rigid body
-	Breaking,      ///< btGeneric6DofConstraint, locked, with a breaking threshold: brittle
-	Spring,        ///< btGeneric6DofSpringConstraint: springs back
-	Spring2,       ///< btGeneric6DofSpring2Constraint: springs back
-	HingeMotor,    ///< btHingeConstraint whose motor brakes with the plastic moment
-	PlasticHinge,  ///< the same, and it lets go at the maximum rotation
-	Ep1,           ///< btElasticPlastic6DofSpringConstraint
-	Ep2,           ///< btElasticPlastic6DofSpring2Constraint
-	Ep1Paper,      ///< Ep1 with the paper's scheme
-	Ep2Paper       ///< Ep2 with the paper's scheme
-};
-
 enum class CharpyGeometry
 {
 	Paper,      ///< hammer 20 mm thick with an edge, box-shaped anvils, hinge in the specimen's middle plane
 	Repeatable  ///< anvils relieved, striker a wedge (as in ISO 148-2), hinge in the ligament's middle
 };
 
-/// A setting that stands for one of several things is given by name.
-template <class Value>
-struct CharpyName
-{
-	const char* name;
-	Value value;
-};
-
-const std::vector<CharpyName<CharpyWay>>& charpyWays();
-const std::vector<CharpyName<CharpyGeometry>>& charpyGeometries();
-const std::vector<CharpyName<Solver>>& charpySolvers();
-
-template <class Value>
-std::string charpyNameOf(const std::vector<CharpyName<Value>>& names, Value value)
-{
-	for (const CharpyName<Value>& n : names)
-		if (n.value == value)
-			return n.name;
-	return "?";
-}
+/// How the specimen holds together; rigid: it is one body.
+const std::vector<Named<JointKind>>& charpyWays();
+const std::vector<Named<CharpyGeometry>>& charpyGeometries();
 
 /// All of a Charpy impact test, SI units. As made: the repeatable one.
 struct CharpySettings
@@ -80,7 +45,7 @@ struct CharpySettings
 	double restitution = 0;      ///< of each pair in contact
 
 	// ---- how it is modelled and computed
-	CharpyWay way = CharpyWay::Ep2;
+	JointKind way = kinds::Ep2;
 	Solver solver = Solver::Direct;
 	int iterations = 50;        ///< of the solver, where it iterates
 	double step = 0.1e-3;       ///< in the impact [s]

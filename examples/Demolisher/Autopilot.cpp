@@ -6,27 +6,54 @@ namespace ep
 {
 namespace
 {
+const btScalar BRAKING = 2;  // gentle [m/s^2]
+
 btScalar limited(btScalar value) { return btMax(btScalar(-1), btMin(btScalar(1), value)); }
 }  // namespace
 
-Controls Autopilot::drive(const btTransform& pose, btScalar speed) const
+Controls Autopilot::drive(const btTransform& pose, btScalar speed, btScalar dt)
 {
 	Controls controls;
-	const btScalar left = m_settings.end - pose.getOrigin().x();
-	// A gentle braking of 2 m/s^2 ends where it should.
-	const btScalar wanted = left > 0 ? btMin(m_settings.speed, btSqrt(2 * 2 * left)) : btScalar(0);
-	controls.throttle = limited(wanted - speed);
-	controls.handbrake = left <= 0;
-
-	// It heads for a point on the lane some way ahead; z grows to the right.
-	const btVector3 heading = pose.getBasis().getColumn(0);
-	const btScalar ahead = 8 + speed, aim = -pose.getOrigin().z() / ahead;
-	controls.steer = limited(3 * (aim - heading.z()));
+	controls.handbrake = true;
+	while (!hasArrived())
+	{
+		const Leg& leg = m_route[m_leg];
+		const btScalar way = leg.drives ? leg.to - pose.getOrigin().x() : btScalar(0);
+		if (m_direction == 0)
+			m_direction = way < 0 ? btScalar(-1) : btScalar(1);
+		const btScalar left = way * m_direction;
+		if (isDone(leg, left, speed, dt))
+		{
+			++m_leg;
+			m_direction = m_waited = 0;
+			continue;
+		}
+		if (left <= 0)
+			return controls;
+		const btScalar wanted = leg.stops ? btMin(leg.speed, btSqrt(2 * BRAKING * left)) : leg.speed;
+		controls.throttle = limited(wanted - speed * m_direction) * m_direction;
+		controls.handbrake = false;
+		controls.steer = steer(pose, speed);
+		return controls;
+	}
 	return controls;
 }
 
-bool Autopilot::hasArrived(const btTransform& pose, btScalar speed) const
+bool Autopilot::isDone(const Leg& leg, btScalar left, btScalar speed, btScalar dt)
 {
-	return pose.getOrigin().x() > m_settings.end - 3 && btFabs(speed) < btScalar(.2);
+	if (leg.drives && !leg.stops)
+		return left <= 0;
+	const bool stands = !leg.drives || (left < 3 && btFabs(speed) < btScalar(.2));
+	if (stands)
+		m_waited += dt;
+	return stands && m_waited > leg.wait;
+}
+
+/// It heads for a point on the lane some way ahead; z grows to the right. Backwards all is mirrored.
+btScalar Autopilot::steer(const btTransform& pose, btScalar speed) const
+{
+	const btVector3 heading = pose.getBasis().getColumn(0);
+	const btScalar ahead = 8 + btFabs(speed), aim = -m_direction * pose.getOrigin().z() / ahead;
+	return m_direction * limited(3 * (aim - heading.z()));
 }
 }  // namespace ep

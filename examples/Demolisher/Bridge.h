@@ -1,13 +1,11 @@
 #ifndef EP_BRIDGE_H
 #define EP_BRIDGE_H
 
-#include <vector>
-
-#include "World.h"
+#include "Structure.h"
 
 namespace ep
 {
-/// What the bridge is built of. SI units; x runs along the bridge, y up, z across, the origin below its middle.
+/// What the bridge is built of. SI units; x runs along the bridge, y up, z across, the origin on the ground below its middle.
 struct BridgeSettings
 {
 	int blocks = 12;
@@ -21,31 +19,22 @@ struct BridgeSettings
 
 	bool slidingEnd = true;  ///< the right end is free to slide lengthwise
 
-	btScalar concreteDensity = 2000;         ///< [kg/m^3]
-	btScalar steelDensity = 7800;            ///< [kg/m^3]
-	btScalar steelShare = btScalar(.027);    ///< of the section; spread over it evenly, it carries all load
-	btScalar yieldStress = btScalar(200e6);  ///< of the steel [Pa]
+	btScalar steelShare = btScalar(.027);  ///< of the section; spread over it evenly, it carries all load
 	btScalar hingeLength =
 		btScalar(.4);  ///< over which plastic bending spreads, about half of the deck's thickness [m]
 	btScalar dampingRatio = btScalar(.02);  ///< of the deck's first bending mode
 };
 
 /// Rigid ramps and supports at both ends, and between them a deck of concrete blocks. The blocks are joined to each other
-/// and to the supports by elastic-plastic joints which stand for the steel between the blocks' centres.
-class Bridge
+/// and to the supports by joints which stand for the steel between the blocks' centres.
+class Bridge : public Structure
 {
 public:
-	Bridge(World& world, const BridgeSettings& settings);
+	Bridge(World& world, const Materials& materials, const BridgeSettings& settings, const btVector3& origin);
 
 	const BridgeSettings& settings() const { return m_settings; }
-	const std::vector<btRigidBody*>& deck() const { return m_deck; }
-	const std::vector<btRigidBody*>& supports() const { return m_supports; }
-
-	/// From the left support to the right one.
-	const std::vector<btElasticPlasticJoint*>& joints() const { return m_joints; }
-
-	btScalar blockLength() const { return m_settings.span / m_settings.blocks; }
-	btScalar blockMass() const;
+	const btVector3& origin() const { return m_origin; }
+	const Beam& deck() const { return m_beams.front(); }
 
 	/// How far the middle of the deck is below where it was built [m].
 	btScalar sag() const;
@@ -57,17 +46,12 @@ public:
 	btScalar supportForce() const;
 
 private:
-	btElasticPlasticMaterial material() const;
-	btElasticPlasticSection section() const;
-	btScalar deckDamping() const;
+	btTransform at(btScalar x, btScalar y) const;
 	btRigidBody* addSupport(World& world, btScalar side);
 	void addRamp(World& world, btScalar side);
-	void addJoint(World& world, btRigidBody& left, btRigidBody& right, int index);
 
 	BridgeSettings m_settings;
-	std::vector<btRigidBody*> m_deck;
-	std::vector<btRigidBody*> m_supports;
-	std::vector<btElasticPlasticJoint*> m_joints;
+	btVector3 m_origin;
 };
 }  // namespace ep
 

@@ -1,5 +1,6 @@
 #include "Demolisher.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace ep
@@ -16,55 +17,155 @@ void addGround(World& world)
 btTransform startPose(btScalar x) { return btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, 0, 0)); }
 }  // namespace
 
+const std::vector<Named<Scene>>& scenes()
+{
+	static const std::vector<Named<Scene>> all = {
+		{"gate", Scene::Gate, "a slender steel boom across the lane, held by a heavy box"},
+		{"fence", Scene::Fence, "posts of reinforced concrete with steel rails"},
+		{"bridge", Scene::Bridge, "a deck of reinforced concrete between rigid ramps"},
+		{"rod", Scene::Rod, "an upright steel rod"}};
+	return all;
+}
+
+bool DemolisherSettings::has(Scene scene) const
+{
+	return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+}
+
+btScalar DemolisherSettings::placeOf(Scene scene) const
+{
+	const btScalar foot = bridge.span / 2 + bridge.supportLength + bridge.rampLength;
+	switch (scene)
+	{
+		case Scene::Gate:
+			return -foot - 36;
+		case Scene::Fence:
+			return foot + 36;
+		case Scene::Rod:
+			return foot + 70;
+		case Scene::Bridge:
+			break;
+	}
+	return 0;
+}
+
+btScalar DemolisherSettings::startOf(Scene scene) const
+{
+	if (scene != Scene::Bridge)
+		return placeOf(scene) - 25;
+	return -(bridge.span / 2 + bridge.supportLength + bridge.rampLength + 18);
+}
+
+std::vector<Scene> DemolisherSettings::onTheWay() const
+{
+	std::vector<Scene> way = scenes;
+	std::sort(way.begin(), way.end(), [this](Scene a, Scene b) { return placeOf(a) < placeOf(b); });
+	return way;
+}
+
+Route DemolisherSettings::actualRoute() const
+{
+	if (!route.empty())
+		return route;
+	Leg leg;
+	const Scene last = onTheWay().back();
+	leg.to = last == Scene::Bridge ? -startOf(last) : placeOf(last) + 25;
+	leg.speed = speed;
+	return {leg};
+}
+
 Demolisher::Demolisher(const DemolisherSettings& settings)
 	: m_settings(settings),
-	  m_world(settings.solver, btVector3(0, 0, 0)),
-	  m_bridge(m_world, settings.bridge),
-	  m_vehicle(m_world, settings.vehicle, startPose(settings.start)),
-	  m_autopilot(settings.autopilot)
+	  m_world(settings.method, btVector3(0, 0, 0)),
+	  m_vehicle(m_world, settings.vehicle, startPose(settings.startOf(settings.onTheWay().front()))),
+	  m_autopilot(settings.actualRoute()),
+	  m_book(m_world)
 {
 	addGround(m_world);
-	m_world.bullet().getSolverInfo().m_numIterations = settings.iterations;
+	for (Scene scene : m_settings.onTheWay())
+		build(scene);
+	if (m_settings.sleepSpeed > 0)
+		m_world.allowSleep(m_settings.sleepSpeed);
+}
+
+void Demolisher::build(Scene scene)
+{
+	const DemolisherSettings& s = m_settings;
+	const btVector3 origin(s.placeOf(scene), 0, 0);
+	std::unique_ptr<Structure>& structure = m_structures[size_t(scene)];
+	switch (scene)
+	{
+		case Scene::Gate:
+			structure = std::make_unique<Gate>(m_world, s.materials, s.gate, origin);
+			break;
+		case Scene::Fence:
+			structure = std::make_unique<Fence>(m_world, s.materials, s.fence, origin);
+			break;
+		case Scene::Bridge:
+			structure = std::make_unique<Bridge>(m_world, s.materials, s.bridge, origin);
+			break;
+		case Scene::Rod:
+			structure = std::make_unique<Rod>(m_world, s.materials, s.rod, origin);
+			break;
+	}
+	for (const btElasticPlasticJoint* joint : structure->joints())
+		m_book.add(nameOf(scenes(), scene), *joint);
 }
 
 void Demolisher::step(const Controls& controls)
 {
 	const auto begin = std::chrono::steady_clock::now();
-	++m_steps;
-	// Smooth at both ends, so that the bridge does not swing when gravity is there.
-	const btScalar t = btMin(btScalar(1), m_steps * STEP / m_settings.gravityTime);
-	m_world.bullet().setGravity(btVector3(0, -m_settings.gravity * t * t * (3 - 2 * t), 0));
-	m_vehicle.drive(controls, STEP);
-	m_world.step(STEP, m_settings.substeps);
+	m_time += double(m_settings.step);
+	growGravity();
+	m_vehicle.drive(controls, m_settings.step);
+	m_world.step(m_settings.step, m_settings.substeps);
 	m_wallTime += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+	m_book.update(m_time);
+}
+
+/// Smoothly at both ends, so that nothing swings when gravity is there.
+void Demolisher::growGravity()
+{
+	const btScalar before = btScalar(m_time) - m_settings.step;
+	if (before >= m_settings.gravityTime)
+		return;
+	const btScalar t = btMin(btScalar(1), btScalar(m_time) / m_settings.gravityTime);
+	m_world.bullet().setGravity(btVector3(0, -m_settings.gravity * t * t * (3 - 2 * t), 0));
+	m_world.keepAwake();
 }
 
 void Demolisher::stepByAutopilot()
 {
 	Controls controls;
 	controls.handbrake = true;
-	const bool ready = m_steps * STEP > m_settings.gravityTime + btScalar(.5);
-	step(ready ? m_autopilot.drive(m_vehicle.pose(), m_vehicle.speed()) : controls);
+	if (m_time > double(m_settings.gravityTime) + .5)
+		controls = m_autopilot.drive(m_vehicle.pose(), m_vehicle.speed(), m_settings.step);
+	step(controls);
 }
 
-bool Demolisher::hasArrived() const { return m_autopilot.hasArrived(m_vehicle.pose(), m_vehicle.speed()); }
+void Demolisher::jumpTo(Scene scene) { m_vehicle.place(startPose(m_settings.startOf(scene))); }
 
 DemolisherSummary Demolisher::summary() const
 {
 	DemolisherSummary s;
-	for (const btElasticPlasticJoint* joint : m_world.joints())
+	for (const JointRecord& record : m_book.records())
 	{
+		const JointReading joint = m_book.read(record);
 		++s.joints;
-		s.yielded += joint->hasYielded() ? 1 : 0;
-		s.broken += joint->isBroken() ? 1 : 0;
-		s.plasticEnergy += joint->getPlasticEnergy();
+		s.yielded += record.yieldTime >= 0 ? 1 : 0;
+		s.broken += joint.isBroken ? 1 : 0;
+		s.plasticEnergy += joint.plasticEnergy;
+		s.elasticEnergy += joint.elasticEnergy;
+		s.numericalEnergy += joint.numericalEnergy;
 	}
-	s.sag = m_bridge.sag();
+	for (const auto& body : m_world.bodies())
+		s.asleep += !body->isStaticObject() && !body->isActive() ? 1 : 0;
+	s.kineticEnergy = m_world.kineticEnergy();
+	s.sag = bridge() ? double(bridge()->sag()) : 0;
 	s.vehicle = m_vehicle.pose().getOrigin();
-	s.speed = m_vehicle.speed();
-	const BridgeSettings& b = m_settings.bridge;
-	s.crossed = s.vehicle.x() > b.span / 2 + b.supportLength + b.rampLength;
-	s.time = m_steps * double(STEP);
+	s.speed = double(m_vehicle.speed());
+	s.crossed = bridge() && s.vehicle.x() > -m_settings.startOf(Scene::Bridge) - 18;
+	s.time = m_time;
 	s.realTimeFactor = m_wallTime > 0 ? s.time / m_wallTime : 0;
 	return s;
 }

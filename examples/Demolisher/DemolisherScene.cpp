@@ -3,8 +3,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "Parts.h"
-
 namespace ep
 {
 namespace
@@ -16,6 +14,12 @@ std::string format(const char* pattern, Values... values)
 	std::snprintf(text, sizeof text, pattern, values...);
 	return text;
 }
+
+void addRoad(Drawing& drawing, btScalar width)
+{
+	drawing.parts.push_back(
+		boxPart(btTransform::getIdentity(), btVector3(1800, btScalar(.02), width), {.075f, .075f, .08f}));
+}
 }  // namespace
 
 void DemolisherScene::step(const Controls& controls)
@@ -26,18 +30,39 @@ void DemolisherScene::step(const Controls& controls)
 		m_demolisher->step(controls);
 }
 
-void DemolisherScene::restart() { m_demolisher.reset(new Demolisher(m_settings)); }
+void DemolisherScene::restart()
+{
+	m_demolisher.reset(new Demolisher(m_settings));
+	if (!m_settings.has(m_looksAt))
+		m_looksAt = m_settings.onTheWay().front();
+}
 
 void DemolisherScene::key(char key)
 {
 	if (key == 'g')
 		m_autopilot = !m_autopilot;
+	if (key == 'b')
+		m_style.skin = !m_style.skin;
+	if (key == 'j')
+		m_style.joints = !m_style.joints;
+}
+
+std::vector<std::string> DemolisherScene::keyHelp() const
+{
+	return {"G  autopilot on or off", "B  bent members smooth or block by block", "J  joints marked or not"};
 }
 
 Drawing DemolisherScene::draw() const
 {
 	Drawing drawing;
-	addParts(drawing.parts, m_demolisher->bridge());
+	const World& world = m_demolisher->world();
+	for (Scene scene : m_settings.onTheWay())
+		if (scene != Scene::Bridge)
+			addParts(drawing, world, *m_demolisher->structure(scene), m_style);
+	if (m_demolisher->bridge())
+		addParts(drawing, world, *m_demolisher->bridge(), m_style);
+	else
+		addRoad(drawing, m_settings.bridge.width + 1);
 	addParts(drawing.parts, m_demolisher->vehicle());
 	drawing.subject = m_demolisher->vehicle().pose();
 
@@ -46,17 +71,26 @@ Drawing DemolisherScene::draw() const
 		format("Speed  %.0f km/h%s", std::fabs(s.speed) * 3.6, m_autopilot ? "  (autopilot)" : ""),
 		format("Joints  %d yielded, %d broken of %d", s.yielded, s.broken, s.joints),
 		format("Plastic energy  %.1f kJ", s.plasticEnergy / 1000),
-		format("Sag of the bridge  %.2f m", s.sag),
-		format("Time  %.1f s, real time factor %.0f", s.time, s.realTimeFactor),
 	};
+	if (m_demolisher->bridge())
+		drawing.text.push_back(format("Sag of the bridge  %.2f m", s.sag));
+	drawing.text.push_back(format("Time  %.1f s, real time factor %.0f", s.time, s.realTimeFactor));
 	drawing.legend = {{jointColour(0, 0), "unloaded"},
-					  {jointColour(btScalar(.5), 0), "half of yield"},
+					  {jointColour(.5, 0), "half of yield"},
 					  {jointColour(1, 0), "yields"},
-					  {jointColour(1, 1), "breaks"}};
+					  {jointColour(1, 1), "worn"},
+					  {TORN, "broken"}};
 	return drawing;
 }
 
-btVector3 DemolisherScene::centre() const { return btVector3(0, m_settings.bridge.height * btScalar(.8), 0); }
+btVector3 DemolisherScene::centre() const
+{
+	const btScalar x = m_settings.placeOf(m_looksAt);
+	return btVector3(x, m_looksAt == Scene::Bridge ? m_settings.bridge.height * btScalar(.8) : btScalar(1.5), 0);
+}
 
-btScalar DemolisherScene::extent() const { return m_settings.bridge.span + 2 * m_settings.bridge.supportLength + 4; }
+btScalar DemolisherScene::extent() const
+{
+	return m_looksAt == Scene::Bridge ? m_settings.bridge.span + 2 * m_settings.bridge.supportLength + 4 : btScalar(20);
+}
 }  // namespace ep

@@ -1,7 +1,7 @@
 #ifndef EP_DEMOLISHER_SCENE_H
 #define EP_DEMOLISHER_SCENE_H
 
-#include "Demolisher.h"
+#include "Parts.h"
 #include "ViewedScene.h"
 
 namespace ep
@@ -12,11 +12,16 @@ class DemolisherScene : public ViewedScene
 public:
 	explicit DemolisherScene(const DemolisherSettings& settings) : m_settings(settings) { restart(); }
 
+	Demolisher& demolisher() { return *m_demolisher; }
 	const Demolisher& demolisher() const { return *m_demolisher; }
 	void setAutopilot(bool on) { m_autopilot = on; }
 
+	/// Where a camera at the side looks.
+	void lookAt(Scene scene) { m_looksAt = scene; }
+	void setStyle(const PartStyle& style) { m_style = style; }
+
 	std::string title() const override { return "Demolisher"; }
-	btScalar stepTime() const override { return Demolisher::STEP; }
+	btScalar stepTime() const override { return m_settings.step; }
 	void step(const Controls& controls) override;
 	void restart() override;
 	Drawing draw() const override;
@@ -24,12 +29,14 @@ public:
 	btScalar extent() const override;
 	bool isDriven() const override { return true; }
 	void key(char key) override;
-	std::vector<std::string> keyHelp() const override { return {"G  autopilot on or off"}; }
+	std::vector<std::string> keyHelp() const override;
 
 private:
 	DemolisherSettings m_settings;
 	std::unique_ptr<Demolisher> m_demolisher;
 	bool m_autopilot = false;
+	Scene m_looksAt = Scene::Bridge;
+	PartStyle m_style;
 };
 }  // namespace ep
 

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "DemolisherScene.h"
 #include "Summary.h"
 #ifdef EP_WITH_PICTURES
 #include "pictureRaster.h"
@@ -13,40 +12,34 @@
 
 namespace ep
 {
-namespace
+void makeDirectory(const std::string& directory)
 {
-/// What the run shows, each when the vehicle gets there.
-struct Shot
-{
-	const char* name;
-	btScalar x;  ///< of the vehicle [m]
-	bool chase;
-};
+	std::error_code error;
+	std::filesystem::create_directories(directory, error);
+	if (error)
+		throw std::runtime_error("cannot make the directory '" + directory + "' (--out): " + error.message());
+}
 
-const Shot SHOTS[] = {
-	{"1-start", btScalar(-1e9), true}, {"2-on-the-bridge", btScalar(-4), true}, {"3-crossing", 0, false}};
-const Shot LAST = {"4-end", 0, false};
-
-std::string write(const std::string& file, const std::string& text)
+std::string writeFile(const std::string& directory, const std::string& name, const std::string& text)
 {
+	const std::string file = (std::filesystem::path(directory) / name).string();
 	std::ofstream stream(file);
 	if (!(stream << text << std::flush))
 		throw std::runtime_error("cannot write the file '" + file + "'");
 	return file;
 }
 
-void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const Shot& shot)
+void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name, bool chase)
 {
 #ifdef EP_WITH_PICTURES
 	const Drawing drawing = scene.draw();
 	const float aspect = float(headless.width) / float(headless.height);
-	const Camera camera =
-		shot.chase ? chaseCamera(drawing.subject) : sideCamera(scene.centre(), scene.extent(), aspect);
-	const std::string file = (std::filesystem::path(headless.out) / (std::string(shot.name) + ".png")).string();
-	writePng(file, drawPicture({drawing.parts, camera}, headless.width, headless.height));
+	const Camera camera = chase ? chaseCamera(drawing.subject) : sideCamera(scene.centre(), scene.extent(), aspect);
+	const std::string file = (std::filesystem::path(headless.out) / (name + ".png")).string();
+	writePng(file, drawPicture({drawing.parts, camera, drawing.skins}, headless.width, headless.height));
 	std::printf("  picture %s\n", file.c_str());
 #else
-	(void)scene, (void)headless, (void)shot;
+	(void)scene, (void)headless, (void)name, (void)chase;
 #endif
 }
 
@@ -56,38 +49,40 @@ void tell(const DemolisherSummary& s)
 				double(s.vehicle.x()), s.speed * 3.6, s.sag, s.yielded, s.broken, s.joints, s.plasticEnergy / 1000);
 	std::fflush(stdout);
 }
-}  // namespace
 
 DemolisherSummary runHeadless(const DemolisherSettings& settings, const HeadlessSettings& headless)
 {
-	std::error_code error;
-	std::filesystem::create_directories(headless.out, error);
-	if (error)
-		throw std::runtime_error("cannot make the directory '" + headless.out + "': " + error.message());
+	makeDirectory(headless.out);
 #ifndef EP_WITH_PICTURES
 	std::printf("Built without libpng: no pictures\n");
 #endif
-
 	DemolisherScene scene(settings);
 	scene.setAutopilot(true);
 	const Demolisher& demolisher = scene.demolisher();
-	const int steps = int(headless.seconds / double(Demolisher::STEP) + .5);
-	size_t shots = 0;
-	for (int i = 0; i < steps && !demolisher.hasArrived(); ++i)
+	RunLog log(demolisher);
+	takePicture(scene, headless, "1-start", true);
+	// Each scene when the vehicle is there, then the one at the side of the last.
+	const std::vector<Scene> way = settings.onTheWay();
+	size_t next = 0;
+	for (int i = 0; demolisher.time() + 1e-9 < headless.seconds && !demolisher.autopilot().hasArrived(); ++i)
 	{
-		const btScalar x = demolisher.vehicle().pose().getOrigin().x();
-		for (; shots < sizeof SHOTS / sizeof *SHOTS && x >= SHOTS[shots].x; ++shots)
-			takePicture(scene, headless, SHOTS[shots]);
-		if (i % 60 == 0)
+		if (i % int(1 / double(settings.step) + .5) == 0)
 			tell(demolisher.summary());
 		scene.step(Controls());
+		log.step();
+		if (next < way.size() && demolisher.vehicle().pose().getOrigin().x() > settings.placeOf(way[next]))
+		{
+			scene.lookAt(way[next]);
+			takePicture(scene, headless, std::to_string(next + 2) + "-" + nameOf(scenes(), way[next]), false);
+			++next;
+		}
 	}
-	takePicture(scene, headless, LAST);
+	takePicture(scene, headless, std::to_string(way.size() + 2) + "-end", true);
 
 	const DemolisherSummary summary = demolisher.summary();
 	tell(summary);
-	const std::string file = (std::filesystem::path(headless.out) / "summary.json").string();
-	std::printf("  summary %s\n", write(file, toJson(summary, settings)).c_str());
+	std::printf("  joints %s\n", writeFile(headless.out, "joints.csv", log.jointsCsv()).c_str());
+	std::printf("  summary %s\n", writeFile(headless.out, "summary.json", log.summary()).c_str());
 	return summary;
 }
 }  // namespace ep

@@ -3,20 +3,33 @@
 
 #include <string>
 
-#include "Demolisher.h"
+#include "DemolisherScene.h"
 
 namespace ep
 {
 struct HeadlessSettings
 {
-	std::string out = "demo-output";  ///< directory for summary.json and pictures, made if it is not there
+	std::string out = "demo-output";  ///< directory for what is left, made if it is not there
 	double seconds = 60;              ///< simulated at most; it ends when the vehicle has arrived [s]
 	int width = 1280, height = 720;   ///< of the pictures
 };
 
-/// Lets the autopilot drive across, tells of it on the terminal, and leaves pictures and a summary.
+/// Lets the autopilot drive, tells of it on the terminal, and leaves summary.json, joints.csv and pictures.
 /// Throws std::runtime_error if a file cannot be written.
 DemolisherSummary runHeadless(const DemolisherSettings& settings, const HeadlessSettings& headless);
+
+// What it is made of.
+
+void makeDirectory(const std::string& directory);
+
+/// \return the file's name
+std::string writeFile(const std::string& directory, const std::string& name, const std::string& text);
+
+/// Where a build has libpng: a picture by the chase camera, or by the one at the side.
+void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name, bool chase);
+
+/// A line on the terminal.
+void tell(const DemolisherSummary& summary);
 }  // namespace ep
 
 #endif  // EP_HEADLESS_H

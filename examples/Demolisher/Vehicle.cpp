@@ -4,11 +4,16 @@ namespace ep
 {
 namespace
 {
-btRigidBody& makeChassis(World& world, const VehicleSettings& s, const btTransform& pose)
+/// Of the chassis, from that of the ground below, with x forward.
+btTransform chassisPose(const VehicleSettings& s, const btTransform& pose)
 {
 	const btVector3 up(0, 1, 0);
-	const btTransform turned(btQuaternion(up, SIMD_HALF_PI), up * (s.wheelRadius - s.axleHeight));
-	btRigidBody* const body = world.body(s.mass, world.box(s.size), pose * turned);
+	return pose * btTransform(btQuaternion(up, SIMD_HALF_PI), up * (s.wheelRadius - s.axleHeight));
+}
+
+btRigidBody& makeChassis(World& world, const VehicleSettings& s, const btTransform& pose)
+{
+	btRigidBody* const body = world.body(s.mass, world.box(s.size), chassisPose(s, pose));
 	body->setFriction(btScalar(.4));
 	return *body;
 }
@@ -24,18 +29,20 @@ btVector3 velocityAt(const btRigidBody& body, const btVector3& point)
 	return body.getVelocityInLocalPoint(point - body.getCenterOfMassPosition());
 }
 
-/// Rays of the wheels do not see their own chassis.
+/// Rays of the wheels see neither their own chassis nor rubble.
 struct RayThroughChassis : btCollisionWorld::ClosestRayResultCallback
 {
-	RayThroughChassis(const btVector3& from, const btVector3& to, const btCollisionObject& chassis)
+	RayThroughChassis(const btVector3& from, const btVector3& to, const btRigidBody& chassis)
 		: ClosestRayResultCallback(from, to), m_chassis(&chassis)
 	{
 	}
 	bool needsCollision(btBroadphaseProxy* proxy) const override
 	{
-		return proxy->m_clientObject != m_chassis && ClosestRayResultCallback::needsCollision(proxy);
+		const auto* const body = btRigidBody::upcast(static_cast<const btCollisionObject*>(proxy->m_clientObject));
+		const bool bears = !body || body->getInvMass() < 100 * m_chassis->getInvMass();
+		return bears && body != m_chassis && ClosestRayResultCallback::needsCollision(proxy);
 	}
-	const btCollisionObject* m_chassis;
+	const btRigidBody* m_chassis;
 };
 }  // namespace
 
@@ -66,6 +73,17 @@ Vehicle::Vehicle(World& world, const VehicleSettings& settings, const btTransfor
 }
 
 Vehicle::~Vehicle() { m_world.bullet().removeAction(this); }
+
+void Vehicle::place(const btTransform& pose)
+{
+	m_chassis.setCenterOfMassTransform(chassisPose(m_settings, pose));
+	m_chassis.setInterpolationWorldTransform(m_chassis.getCenterOfMassTransform());
+	m_chassis.setLinearVelocity(btVector3(0, 0, 0));
+	m_chassis.setAngularVelocity(btVector3(0, 0, 0));
+	m_chassis.activate(true);
+	m_steer = 0;
+	resetSuspension();
+}
 
 btTransform Vehicle::pose() const
 {
@@ -107,8 +125,10 @@ void Vehicle::drive(const Controls& controls, btScalar dt)
 		applyEngineForce(force / getNumWheels(), i);
 		setBrake((brake + s.rollingResistance) / getNumWheels(), i);
 		// Positive turns to the right; Bullet's angle is about the upward axis.
-		setSteeringValue(getWheelInfo(i).m_bIsFrontWheel ? -m_steer : btScalar(0), i);
+		setSteeringValue(getWheelInfo(i).m_bIsFrontWheel ? -m_steer : m_steer, i);
 	}
+	if (throttle != 0)
+		m_chassis.activate();
 }
 
 void* Vehicle::castRay(const btVector3& from, const btVector3& to, btVehicleRaycasterResult& result)
@@ -128,11 +148,31 @@ void* Vehicle::castRay(const btVector3& from, const btVector3& to, btVehicleRayc
 
 void Vehicle::updateVehicle(btScalar step)
 {
+	// Where it sleeps, impulses would add up to a jump when it wakes.
+	if (sleeps())
+		return;
 	m_ground.clear();
 	m_loadOnBodies.setZero();
 	// Rays, suspension on the chassis, then updateFriction.
 	btRaycastVehicle::updateVehicle(step);
 	applyDrag(step);
+}
+
+bool Vehicle::sleeps()
+{
+	const btScalar slow = m_chassis.getLinearSleepingThreshold();
+	const bool moves = m_chassis.getLinearVelocity().length2() > slow * slow;
+	for (btRigidBody* ground : m_ground)
+	{
+		if (!ground || ground->getInvMass() == 0)
+			continue;
+		// A ground that moves wants the vehicle's weight; one that sleeps has it, until the vehicle moves.
+		if (ground->isActive())
+			m_chassis.activate();
+		else if (moves)
+			ground->activate();
+	}
+	return !m_chassis.isActive();
 }
 
 /// In place of Bullet's tyres: the suspension's reaction on the ground, then tyres that push vehicle and ground.
@@ -160,7 +200,7 @@ void Vehicle::updateWheel(int index, int wheelsOnGround, btScalar step)
 	force =
 		btMax(btScalar(0), btMin(given + damping * velocityAt(ground, point).dot(normal), wheel.m_maxSuspensionForce));
 	m_chassis.applyImpulse(normal * ((force - given) * step), point - m_chassis.getCenterOfMassPosition());
-	if (ground.getInvMass() > 0)
+	if (ground.getInvMass() > 0 && ground.isActive())
 	{
 		m_ground[index]->applyImpulse(normal * (-force * step), point - ground.getCenterOfMassPosition());
 		m_loadOnBodies -= normal * (force * step);
@@ -184,7 +224,7 @@ void Vehicle::applyImpulse(int wheel, const btVector3& impulse)
 	const btVector3& point = m_wheelInfo[wheel].m_raycastInfo.m_contactPointWS;
 	btRigidBody& ground = *m_ground[wheel];
 	m_chassis.applyImpulse(impulse, point - m_chassis.getCenterOfMassPosition());
-	if (ground.getInvMass() == 0)
+	if (ground.getInvMass() == 0 || !ground.isActive())
 		return;
 	ground.applyImpulse(-impulse, point - ground.getCenterOfMassPosition());
 	m_loadOnBodies -= impulse;

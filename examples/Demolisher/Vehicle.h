@@ -27,7 +27,7 @@ struct VehicleSettings
 	btScalar topSpeed = btScalar(95 / 3.6);                       ///< [m/s]
 	btScalar rollingResistance = 7.5e3;                           ///< of all wheels [N]
 	btScalar airDrag = btScalar(.5 * 1.2 * .9 * 9);               ///< rho/2 c_d A [N s^2/m^2]
-	btScalar maxSteer = btScalar(.5);                             ///< of the front wheels [rad]
+	btScalar maxSteer = btScalar(.3);  ///< of all wheels, the rear ones against the front ones [rad]
 };
 
 /// Bullet's ray-cast vehicle on a ground that feels it.
@@ -35,12 +35,18 @@ struct VehicleSettings
 /// btRaycastVehicle gives the suspension's and the tyres' impulses to the chassis only and takes all ground as fixed: a
 /// bridge would carry a vehicle without noticing. Here each wheel remembers the body its ray has hit, and that body gets
 /// the opposite impulse at the contact point; damper and tyres see the velocity of vehicle and ground against each other.
+/// Rubble lighter than a hundredth of the vehicle is no ground: tyres roll over it.
+///
+/// It sleeps when it stands, by itself: wheels make no island with what they stand on. Each waits for the other.
 class Vehicle : private btVehicleRaycaster, public btRaycastVehicle
 {
 public:
 	/// The pose is that of the ground below the vehicle, x forward.
 	Vehicle(World& world, const VehicleSettings& settings, const btTransform& pose);
 	~Vehicle() override;
+
+	/// Puts it there, at rest.
+	void place(const btTransform& pose);
 
 	const VehicleSettings& settings() const { return m_settings; }
 	btRigidBody& chassis() const { return m_chassis; }
@@ -63,6 +69,7 @@ public:
 
 private:
 	void* castRay(const btVector3& from, const btVector3& to, btVehicleRaycasterResult& result) override;
+	bool sleeps();
 	void updateWheel(int index, int wheelsOnGround, btScalar step);
 	void applyImpulse(int wheel, const btVector3& impulse);
 	void applyDrag(btScalar step);

@@ -2,8 +2,9 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "DemolisherScene.h"
+#include "DemolisherOptions.h"
 #include "Headless.h"
+#include "OptionRange.h"
 #ifdef EP_WITH_VIEWER
 #include "viewer.h"
 #endif
@@ -12,41 +13,32 @@ namespace
 {
 struct Options
 {
-	ep::DemolisherSettings scene;
+	explicit Options(CLI::App& app) : scene(app)
+	{
+		app.add_flag("--list", list, "Name scenes, joints and solvers, and end");
+		app.add_flag("--headless", isHeadless,
+					 "No window: the autopilot drives; summary.json, joints.csv and pictures are left");
+		app.add_option("--out", headless.out, "Directory for what a headless run leaves")->capture_default_str();
+		app.add_option("--seconds", headless.seconds, "Longest simulated time of a headless run [s]")
+			->capture_default_str()
+			->check(ep::optionRange(0.1, 36000));
+		app.add_option("--screenshot", screenshot,
+					   "Open the window, let the autopilot drive, save a PNG there, and end");
+		app.add_option("--after", after, "Simulated time of the screenshot [s]")
+			->capture_default_str()
+			->check(ep::optionRange(0, 3600));
+		app.add_option("--camera", camera, "Camera that the window begins with")
+			->capture_default_str()
+			->check(CLI::IsMember({"chase", "free", "side"}));
+	}
+
+	ep::DemolisherOptions scene;
 	ep::HeadlessSettings headless;
-	bool isHeadless = false;
+	bool list = false, isHeadless = false;
 	std::string screenshot;
 	double after = 9;
 	std::string camera = "chase";
 };
-
-void addOptions(CLI::App& app, Options& o)
-{
-	app.add_flag("--headless", o.isHeadless, "No window: the autopilot drives, pictures and a summary are left");
-	app.add_option("--out", o.headless.out, "Directory for what a headless run leaves")->capture_default_str();
-	app.add_option("--seconds", o.headless.seconds, "Longest simulated time of a headless run [s]")
-		->capture_default_str()
-		->check(CLI::Range(0.1, 3600.0));
-	app.add_option("--substeps", o.scene.substeps, "Solver steps in each step of 1/60 s")
-		->capture_default_str()
-		->check(CLI::Range(1, 1000));
-	app.add_option("--iterations", o.scene.iterations, "Solver iterations in each substep")
-		->capture_default_str()
-		->check(CLI::Range(1, 100000));
-	app.add_option("--steel-share", o.scene.bridge.steelShare, "Share of steel in the deck's section")
-		->capture_default_str()
-		->check(CLI::Range(0.0001, 1.0));
-	app.add_option("--speed", o.scene.autopilot.speed, "Speed of the autopilot [m/s]")
-		->capture_default_str()
-		->check(CLI::Range(1.0, 26.0));
-	app.add_option("--screenshot", o.screenshot, "Open the window, let the autopilot drive, save a PNG there, and end");
-	app.add_option("--camera", o.camera, "Camera that the window begins with")
-		->capture_default_str()
-		->check(CLI::IsMember({"chase", "free", "side"}));
-	app.add_option("--after", o.after, "Simulated time of the screenshot [s]")
-		->capture_default_str()
-		->check(CLI::Range(0.0, 3600.0));
-}
 
 #ifdef EP_WITH_VIEWER
 bool hasDisplay()
@@ -65,7 +57,7 @@ int runWindow(const Options& o)
 #ifdef EP_WITH_VIEWER
 	if (hasDisplay())
 	{
-		ep::DemolisherScene scene(o.scene);
+		ep::DemolisherScene scene(o.scene.settings());
 		ep::ViewerOptions viewer;
 		viewer.screenshot = o.screenshot;
 		viewer.screenshotTime = o.after;
@@ -81,22 +73,24 @@ int runWindow(const Options& o)
 	if (!o.screenshot.empty())
 		throw std::runtime_error(std::string("no screenshot of the window: ") + why);
 	std::cout << "No window: " << why << ". Running headless" << std::endl;
-	ep::runHeadless(o.scene, o.headless);
+	ep::runHeadless(o.scene.settings(), o.headless);
 	return 0;
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
-	Options options;
-	CLI::App app("Demolisher: a heavy vehicle and a bridge whose steel joints yield before they break");
-	addOptions(app, options);
+	CLI::App app("Demolisher: a heavy vehicle, and things whose steel joints yield before they break");
+	Options options(app);
 	CLI11_PARSE(app, argc, argv);
 	try
 	{
-		if (!options.isHeadless)
+		if (options.list)
+			std::cout << ep::DemolisherOptions::list();
+		else if (!options.isHeadless)
 			return runWindow(options);
-		ep::runHeadless(options.scene, options.headless);
+		else
+			ep::runHeadless(options.scene.settings(), options.headless);
 	}
 	catch (const std::exception& error)
 	{

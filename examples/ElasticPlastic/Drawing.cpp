@@ -21,6 +21,25 @@ Part boxPart(const btTransform& pose, const btVector3& size, const Colour& colou
 					 size.z(), colour, gloss);
 }
 
+std::vector<btVector3> boxOutline(btScalar height, btScalar width, btScalar middle)
+{
+	const btScalar y = height / 2, z = width / 2;
+	return {btVector3(0, middle - y, -z), btVector3(0, middle + y, -z), btVector3(0, middle + y, z),
+			btVector3(0, middle - y, z)};
+}
+
+std::vector<btVector3> circleOutline(btScalar radius)
+{
+	const int corners = 16;
+	std::vector<btVector3> outline;
+	for (int i = 0; i < corners; ++i)
+	{
+		const btScalar angle = SIMD_2_PI * i / corners;
+		outline.emplace_back(btScalar(0), radius * btSin(angle), -radius * btCos(angle));
+	}
+	return outline;
+}
+
 Part cylinderPart(const btTransform& pose, btScalar radius, btScalar width, const Colour& colour, float gloss)
 {
 	const int corners = 32;

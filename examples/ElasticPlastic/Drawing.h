@@ -32,6 +32,21 @@ Part cylinderPart(const btTransform& pose, btScalar radius, btScalar width, cons
 Part prismPart(const btTransform& pose, const std::vector<btVector3>& profile, btScalar width, const Colour& colour,
 			   float gloss = 0);
 
+/// A bent thing to draw: an outline in the y-z planes of stations along it, drawn through all of them.
+struct Skin
+{
+	std::vector<btTransform> stations;  ///< x along the thing
+	std::vector<btVector3>
+		outline;  ///< corners of a convex shape, counter-clockwise seen against x; their x is not used
+	Colour colour;
+	float gloss = 0;
+	bool round = false;
+};
+
+/// y along the height; the middle may be off the stations' origin.
+std::vector<btVector3> boxOutline(btScalar height, btScalar width, btScalar middle = 0);
+std::vector<btVector3> circleOutline(btScalar radius);
+
 /// From a point to a point, upright.
 struct Camera
 {
@@ -43,6 +58,7 @@ struct View
 {
 	std::vector<Part> parts;
 	Camera camera;
+	std::vector<Skin> skins = {};
 };
 
 /// Quantities over another, stacked from below.
@@ -69,6 +85,7 @@ struct Drawing
 	};
 
 	std::vector<Part> parts;
+	std::vector<Skin> skins;
 	btTransform subject = btTransform::getIdentity();  ///< what a camera follows, x forward
 	std::vector<View> views;        ///< with cameras of their own: the first one large, others beside it
 	std::vector<std::string> text;  ///< lines for the reader

@@ -53,7 +53,7 @@ Run::~Run()
 {
 	const double created = m_most > 0 ? m_created / m_most : 0;
 	// Bullet's own joints do not tell what they take.
-	if (m_world.method().joints == Joints::Fixed || m_world.method().joints == Joints::Springs)
+	if (!m_world.method().kind().isElasticPlastic())
 		m_outcome.energyCreated = NAN;
 	// Of several runs the worst.
 	else if (!(created <= m_outcome.energyCreated))

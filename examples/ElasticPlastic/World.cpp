@@ -1,5 +1,7 @@
 #include "World.h"
 
+#include <algorithm>
+
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h"
 #include "BulletDynamics/MLCPSolvers/btDantzigSolver.h"
@@ -7,30 +9,6 @@
 
 namespace ep
 {
-btTypedConstraint* makeBulletsOwn(Joints joints, btRigidBody& a, btRigidBody& b, const btTransform& frame,
-								  const btElasticPlasticCapacity& capacity)
-{
-	const btTransform inA = a.getCenterOfMassTransform().inverse() * frame,
-					  inB = b.getCenterOfMassTransform().inverse() * frame;
-	if (joints == Joints::Fixed)
-		return new btFixedConstraint(a, b, inA, inB);
-	auto* springs = new btGeneric6DofSpring2Constraint(a, b, inA, inB);
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-	{
-		springs->setLimit(i, 1, -1);
-		if (!capacity.isElasticPlastic(i))
-			continue;
-		if (capacity.isRigidPlastic(i))
-		{
-			springs->setLimit(i, 0, 0);
-			continue;
-		}
-		springs->enableSpring(i, true);
-		springs->setStiffness(i, capacity.m_stiffness[i]);
-	}
-	return springs;
-}
-
 std::unique_ptr<btConstraintSolver> World::makeSolver()
 {
 	switch (m_method.solver)
@@ -64,10 +42,13 @@ World::World(const Method& method, const btVector3& gravity, std::unique_ptr<btC
 
 World::~World()
 {
+	for (BulletJoint* joint : m_whole)
+		m_world->removeConstraint(&joint->constraint());
 	for (auto& constraint : m_constraints)
 		m_world->removeConstraint(constraint.get());
 	for (auto& body : m_bodies)
 		m_world->removeRigidBody(body.get());
+	m_inPlaceOf.clear();
 	m_constraints.clear();
 	m_world->removeAction(&m_action);
 }
@@ -92,6 +73,21 @@ btRigidBody* World::body(btScalar mass, btCollisionShape* shape, const btTransfo
 	return body;
 }
 
+void World::allowSleep(btScalar speed)
+{
+	for (auto& body : m_bodies)
+	{
+		body->setSleepingThresholds(speed, speed);
+		body->forceActivationState(ACTIVE_TAG);
+	}
+}
+
+void World::keepAwake()
+{
+	for (auto& body : m_bodies)
+		body->setDeactivationTime(0);
+}
+
 btElasticPlasticJoint* World::joint(btRigidBody& a, btRigidBody& b, const btTransform& frame,
 									const btElasticPlasticCapacity& capacity, JointClass jointClass)
 {
@@ -104,10 +100,16 @@ btElasticPlasticJoint* World::joint(btRigidBody& a, btRigidBody& b, const btTran
 		joint = new btElasticPlastic6DofSpring2Constraint(a, b, inA, inB);
 	joint->setCapacity(capacity);
 	m_joints.push_back(joint);
-	if (m_method.joints == Joints::Fixed || m_method.joints == Joints::Springs)
+	const JointKind kind = {m_method.joints, jointClass};
+	if (!kind.isElasticPlastic())
 	{
 		m_aside.emplace_back(&joint->getConstraint());
-		add(m_inPlaceOf[joint] = makeBulletsOwn(m_method.joints, a, b, frame, capacity));
+		if (auto own = BulletJoint::make(kind, a, b, frame, capacity))
+		{
+			m_world->addConstraint(&own->constraint(), true);
+			m_whole.push_back(own.get());
+			m_inPlaceOf[joint] = std::move(own);
+		}
 		return joint;
 	}
 	joint->setScheme(m_method.joints == Joints::Paper ? BT_EP_SCHEME_PAPER : BT_EP_SCHEME_IMPLICIT);
@@ -116,22 +118,26 @@ btElasticPlasticJoint* World::joint(btRigidBody& a, btRigidBody& b, const btTran
 	return joint;
 }
 
+const BulletJoint* World::inPlaceOf(const btElasticPlasticJoint& joint) const
+{
+	const auto own = m_inPlaceOf.find(&joint);
+	return own == m_inPlaceOf.end() ? nullptr : own->second.get();
+}
+
 void World::release(btElasticPlasticJoint& joint, int dof)
 {
 	btElasticPlasticCapacity capacity = joint.getCapacity();
 	capacity.clear(dof);
 	joint.setCapacity(capacity);
-	// In Bullet's class too: there translations are locked unless told otherwise. A fixed joint is a locked spring.
-	const auto own = m_inPlaceOf.find(&joint);
-	btTypedConstraint& constraint = own == m_inPlaceOf.end() ? joint.getConstraint() : *own->second;
+	// In Bullet's class too: there translations are locked unless told otherwise.
+	btTypedConstraint& constraint = joint.getConstraint();
 	if (constraint.getConstraintType() == D6_SPRING_CONSTRAINT_TYPE)
 		static_cast<btGeneric6DofSpringConstraint&>(constraint).setLimit(dof, 1, -1);
 	else
-	{
-		auto& springs = static_cast<btGeneric6DofSpring2Constraint&>(constraint);
-		springs.enableSpring(dof, false);
-		springs.setLimit(dof, 1, -1);
-	}
+		static_cast<btGeneric6DofSpring2Constraint&>(constraint).setLimit(dof, 1, -1);
+	const auto own = m_inPlaceOf.find(&joint);
+	if (own != m_inPlaceOf.end())
+		own->second->release(dof);
 }
 
 void World::add(btTypedConstraint* constraint, bool disableCollisions)
@@ -143,7 +149,23 @@ void World::add(btTypedConstraint* constraint, bool disableCollisions)
 void World::step(btScalar dt, int substeps)
 {
 	for (int i = 0; i < substeps; ++i)
-		m_world->stepSimulation(dt / substeps, 0);
+		substep(dt / substeps);
+}
+
+void World::substep(btScalar dt)
+{
+	for (BulletJoint* joint : m_whole)
+		joint->beforeStep(dt);
+	m_world->stepSimulation(dt, 0);
+	for (BulletJoint* joint : m_whole)
+		joint->afterStep(dt);
+	const auto goes = [this](BulletJoint* joint)
+	{
+		if (joint->isBroken())
+			m_world->removeConstraint(&joint->constraint());
+		return joint->isBroken();
+	};
+	m_whole.erase(std::remove_if(m_whole.begin(), m_whole.end(), goes), m_whole.end());
 }
 
 double World::kineticEnergy() const

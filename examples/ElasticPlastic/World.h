@@ -9,51 +9,10 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlastic6DofSpringConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticAction.h"
 #include "BulletDynamics/MLCPSolvers/btMLCPSolverInterface.h"
-#include "btBulletDynamicsCommon.h"
+#include "BulletJoint.h"
 
 namespace ep
 {
-/// The solvers a scene can run with.
-enum class Solver
-{
-	Stock,      ///< btSequentialImpulseConstraintSolver
-	Nncg,       ///< btNNCGConstraintSolver
-	Mlcp,       ///< btMLCPSolver with btDantzigSolver
-	Iterative,  ///< btElasticPlasticConstraintSolver, iterative
-	Direct,     ///< btElasticPlasticConstraintSolver, direct
-};
-
-/// Which of the two constraint classes a joint is.
-enum class JointClass
-{
-	Spring,  ///< btElasticPlastic6DofSpringConstraint
-	Spring2  ///< btElasticPlastic6DofSpring2Constraint
-};
-
-/// What holds bodies together.
-enum class Joints
-{
-	ElasticPlastic,  ///< ours, default scheme
-	Paper,           ///< ours, the paper's scheme
-	Fixed,           ///< btFixedConstraint
-	Springs          ///< btGeneric6DofSpring2Constraint: springs of the same stiffness, which never yield
-};
-
-/// How a scene is solved: what comparisons vary, but for the step.
-struct Method
-{
-	Solver solver = Solver::Iterative;
-	Joints joints = Joints::ElasticPlastic;
-	JointClass jointClass = JointClass::Spring2;
-	int iterations = 10;  ///< of iterative solvers, Bullet's default
-
-	Method(Solver s) : solver(s) {}
-};
-
-/// Joints::Fixed or Joints::Springs between two bodies, at a frame given in world coordinates.
-btTypedConstraint* makeBulletsOwn(Joints joints, btRigidBody& a, btRigidBody& b, const btTransform& frame,
-								  const btElasticPlasticCapacity& capacity);
-
 /// A Bullet world with its parts, its elastic-plastic action, and all that scenes add to it. Owns everything.
 class World
 {
@@ -81,9 +40,16 @@ public:
 	/// Adds a body, mass 0 is static. Without damping and never asleep: reference problems want nothing but their physics.
 	btRigidBody* body(btScalar mass, btCollisionShape* shape, const btTransform& pose, bool collides = true);
 
+	/// Lets bodies that move slower than this for 2 s sleep, as Bullet does with 0.8 m/s and 1 rad/s, but not when they pass
+	/// through the end of a slow swing. \param speed  [m/s] and [rad/s]
+	void allowSleep(btScalar speed);
+
+	/// Starts the 2 s anew.
+	void keepAwake();
+
 	/// Joins two bodies at a frame given in world coordinates, x along the member, by the method's joints.
-	/// \return the joint, in the action's books; where one of Bullet's takes its place, it is not in the world and only tells
-	/// its capacity
+	/// \return the joint, in the action's books; where one of Bullet's or nothing takes its place, it is not in the world and
+	/// only tells its capacity
 	btElasticPlasticJoint* joint(btRigidBody& a, btRigidBody& b, const btTransform& frame,
 								 const btElasticPlasticCapacity& capacity)
 	{
@@ -91,6 +57,9 @@ public:
 	}
 	btElasticPlasticJoint* joint(btRigidBody& a, btRigidBody& b, const btTransform& frame,
 								 const btElasticPlasticCapacity& capacity, JointClass jointClass);
+
+	/// What stands in a joint's place. \return null if the joint itself is in the world
+	const BulletJoint* inPlaceOf(const btElasticPlasticJoint& joint) const;
 
 	/// Lets a degree of freedom of a joint go.
 	void release(btElasticPlasticJoint& joint, int dof);
@@ -101,7 +70,8 @@ public:
 	const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return m_bodies; }
 	const std::vector<btElasticPlasticJoint*>& joints() const { return m_joints; }
 
-	/// One step of dt, in the given number of equal substeps.
+	/// One step of dt, in the given number of equal substeps. Joints of Bullet's that let go leave the world: else their
+	/// bodies would not collide.
 	void step(btScalar dt, int substeps = 1);
 
 	/// Kinetic energy of all bodies [J].
@@ -109,6 +79,7 @@ public:
 
 private:
 	std::unique_ptr<btConstraintSolver> makeSolver();
+	void substep(btScalar dt);
 
 	Method m_method;
 	btDefaultCollisionConfiguration m_configuration;
@@ -121,8 +92,9 @@ private:
 	std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
 	std::vector<std::unique_ptr<btRigidBody>> m_bodies;
 	std::vector<std::unique_ptr<btTypedConstraint>> m_constraints;
-	std::vector<std::unique_ptr<btTypedConstraint>> m_aside;                 // joints that are not in the world
-	std::map<const btElasticPlasticJoint*, btTypedConstraint*> m_inPlaceOf;  // Bullet's own joints
+	std::vector<std::unique_ptr<btTypedConstraint>> m_aside;  // joints that are not in the world
+	std::map<const btElasticPlasticJoint*, std::unique_ptr<BulletJoint>> m_inPlaceOf;
+	std::vector<BulletJoint*> m_whole;  // of these, those that hold
 	std::vector<btElasticPlasticJoint*> m_joints;
 };
 }  // namespace ep

@@ -86,13 +86,80 @@ private:
 	std::vector<Vertex>& m_vertices;
 	btVector3 m_centre = btVector3(0, 0, 0);
 };
+
+class SkinMesh
+{
+public:
+	SkinMesh(const Skin& skin, std::vector<Vertex>& vertices) : m_skin(skin), m_vertices(vertices) {}
+
+	void add()
+	{
+		const size_t n = m_skin.outline.size(), last = m_skin.stations.size() - 1;
+		for (const btVector3& corner : m_skin.outline)
+			m_centre += corner / btScalar(n);
+		m_centre.setX(0);
+		for (size_t s = 0; s < last; ++s)
+			for (size_t i = 0; i < n; ++i)
+				addSide(s, m_skin.outline[i], m_skin.outline[(i + 1) % n]);
+		addCap(0, -1);
+		addCap(last, 1);
+	}
+
+private:
+	void addVertex(size_t station, const btVector3& corner, const btVector3& normal, const std::array<float, 4>& edges)
+	{
+		const btTransform& pose = m_skin.stations[station];
+		m_vertices.push_back({toVector(pose * btVector3(0, corner.y(), corner.z())),
+							  toVector(pose.getBasis() * normal),
+							  {m_skin.colour.r, m_skin.colour.g, m_skin.colour.b},
+							  edges,
+							  m_skin.gloss});
+	}
+
+	/// Each station has its own normals: the light runs smoothly over the bend.
+	void addSide(size_t s, const btVector3& a, const btVector3& b)
+	{
+		const btVector3 along = b - a, flat = btVector3(0, -along.z(), along.y()).normalized() * -1;
+		const btVector3 na = m_skin.round ? (a - m_centre).normalized() : flat,
+						nb = m_skin.round ? (b - m_centre).normalized() : flat;
+		const float length = m_skin.round ? FAR_FROM_EDGE : float(along.length()), zero = m_skin.round ? length : 0;
+		const std::array<float, 4> atA = {zero, length, FAR_FROM_EDGE, FAR_FROM_EDGE},
+								   atB = {length, zero, FAR_FROM_EDGE, FAR_FROM_EDGE};
+		addVertex(s, a, na, atA);
+		addVertex(s + 1, b, nb, atB);
+		addVertex(s, b, nb, atB);
+		addVertex(s, a, na, atA);
+		addVertex(s + 1, a, na, atA);
+		addVertex(s + 1, b, nb, atB);
+	}
+
+	void addCap(size_t station, btScalar end)
+	{
+		const std::array<float, 4> edges = {FAR_FROM_EDGE, FAR_FROM_EDGE, FAR_FROM_EDGE, FAR_FROM_EDGE};
+		const size_t n = m_skin.outline.size();
+		for (size_t i = 0; i < n; ++i)
+		{
+			const btVector3 &a = m_skin.outline[i], &b = m_skin.outline[(i + 1) % n];
+			addVertex(station, m_centre, btVector3(end, 0, 0), edges);
+			addVertex(station, end < 0 ? a : b, btVector3(end, 0, 0), edges);
+			addVertex(station, end < 0 ? b : a, btVector3(end, 0, 0), edges);
+		}
+	}
+
+	const Skin& m_skin;
+	std::vector<Vertex>& m_vertices;
+	btVector3 m_centre = btVector3(0, 0, 0);
+};
 }  // namespace
 
-std::vector<Vertex> makeMesh(const std::vector<Part>& parts)
+std::vector<Vertex> makeMesh(const std::vector<Part>& parts, const std::vector<Skin>& skins)
 {
 	std::vector<Vertex> vertices;
 	for (const Part& part : parts)
 		PartMesh(part, vertices).add();
+	for (const Skin& skin : skins)
+		if (skin.stations.size() > 1)
+			SkinMesh(skin, vertices).add();
 	return vertices;
 }
 }  // namespace ep

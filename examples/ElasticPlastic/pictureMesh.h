@@ -23,8 +23,8 @@ struct Vertex
 	float gloss;
 };
 
-/// The triangles of a drawing's parts, three vertices each.
-std::vector<Vertex> makeMesh(const std::vector<Part>& parts);
+/// The triangles of parts and skins, three vertices each.
+std::vector<Vertex> makeMesh(const std::vector<Part>& parts, const std::vector<Skin>& skins = {});
 }  // namespace ep
 
 #endif  // EP_PICTURE_MESH_H

@@ -160,7 +160,7 @@ Image drawPicture(const View& view, int width, int height)
 	const Matrix matrix = cameraMatrix(camera, aspect);
 	const CameraAxes axes = cameraAxes(camera, aspect);
 	const Vector eye = toVector(camera.eye);
-	const std::vector<Vertex> whole = makeMesh(view.parts), mesh = clipped(whole, matrix);
+	const std::vector<Vertex> whole = makeMesh(view.parts, view.skins), mesh = clipped(whole, matrix);
 	const ShadowMap shadows(whole, camera.target);
 	const SunLight sun = [&](const Vector& point, const Vector& normal) { return shadows.light(point, normal); };
 

@@ -63,7 +63,7 @@ void Renderer::setLight(const Program& program, const Camera& camera, const Matr
 void Renderer::draw(const View& view, const Tile& tile)
 {
 	const Camera& camera = view.camera;
-	const std::vector<Vertex> mesh = makeMesh(view.parts);
+	const std::vector<Vertex> mesh = makeMesh(view.parts, view.skins);
 	const Matrix sun = sunMatrix(camera.target);
 	const float aspect = tile.aspect();
 

@@ -90,7 +90,8 @@ void Viewer::draw(double seconds)
 	const Drawing drawing = m_scene.draw();
 	std::vector<View> views = drawing.views;
 	if (!m_camera.showsViews())
-		views.assign(1, {drawing.parts, m_camera.camera(m_scene, drawing.subject, aspect, btScalar(seconds))});
+		views.assign(
+			1, {drawing.parts, m_camera.camera(m_scene, drawing.subject, aspect, btScalar(seconds)), drawing.skins});
 	const ViewerLayout layout(views.size(), !drawing.chart.bands.empty(), width, height);
 
 	glClear(GL_COLOR_BUFFER_BIT);

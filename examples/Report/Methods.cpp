@@ -32,6 +32,11 @@ const char* nameOf(Joints joints)
 			return "bullet-fixed";
 		case Joints::Springs:
 			return "bullet-spring2";
+		case Joints::None:
+		case Joints::Breaking:
+		case Joints::HingeMotor:
+		case Joints::PlasticHinge:
+			break;  // not compared
 	}
 	return "?";
 }

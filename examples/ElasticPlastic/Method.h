@@ -1,0 +1,81 @@
+#ifndef EP_METHOD_H
+#define EP_METHOD_H
+
+#include "Named.h"
+
+namespace ep
+{
+/// The solvers a scene can run with.
+enum class Solver
+{
+	Stock,      ///< btSequentialImpulseConstraintSolver
+	Nncg,       ///< btNNCGConstraintSolver
+	Mlcp,       ///< btMLCPSolver with btDantzigSolver
+	Iterative,  ///< btElasticPlasticConstraintSolver, iterative
+	Direct,     ///< btElasticPlasticConstraintSolver, direct
+};
+
+/// Which of the two six-dof-spring classes a joint is, or is derived from.
+enum class JointClass
+{
+	Spring,  ///< btGeneric6DofSpringConstraint
+	Spring2  ///< btGeneric6DofSpring2Constraint
+};
+
+/// What holds bodies together.
+enum class Joints
+{
+	ElasticPlastic,  ///< ours, default scheme
+	Paper,           ///< ours, the paper's scheme
+	Fixed,           ///< btFixedConstraint
+	Springs,         ///< one of Bullet's two classes: springs of the same stiffness, which never yield
+	None,            ///< nothing
+	Breaking,        ///< btFixedConstraint that goes at a threshold: brittle
+	HingeMotor,      ///< btHingeConstraint whose motor brakes with the plastic moment: the paper's basic idea
+	PlasticHinge     ///< the same, and it lets go when its ductility is spent
+};
+
+/// What holds bodies together, as a person chooses it.
+struct JointKind
+{
+	Joints joints;
+	JointClass jointClass = JointClass::Spring2;
+
+	bool isElasticPlastic() const { return joints == Joints::ElasticPlastic || joints == Joints::Paper; }
+	bool operator==(const JointKind& other) const { return joints == other.joints && jointClass == other.jointClass; }
+	bool operator!=(const JointKind& other) const { return !(*this == other); }
+};
+
+namespace kinds
+{
+constexpr JointKind None = {Joints::None}, Rigid = {Joints::Fixed}, Breaking = {Joints::Breaking},
+					Spring = {Joints::Springs, JointClass::Spring}, Spring2 = {Joints::Springs, JointClass::Spring2},
+					HingeMotor = {Joints::HingeMotor}, PlasticHinge = {Joints::PlasticHinge},
+					Ep1 = {Joints::ElasticPlastic, JointClass::Spring},
+					Ep2 = {Joints::ElasticPlastic, JointClass::Spring2}, Ep1Paper = {Joints::Paper, JointClass::Spring},
+					Ep2Paper = {Joints::Paper, JointClass::Spring2};
+}
+
+const std::vector<Named<JointKind>>& jointKinds();
+
+/// Those that demonstrations offer: Bullet's, and ours in its two forms.
+const std::vector<Named<Solver>>& solvers();
+
+/// How a scene is solved: what comparisons vary, but for the step.
+struct Method
+{
+	Solver solver = Solver::Iterative;
+	Joints joints = Joints::ElasticPlastic;
+	JointClass jointClass = JointClass::Spring2;
+	int iterations = 10;  ///< of iterative solvers, Bullet's default
+
+	Method(Solver s) : solver(s) {}
+	Method(Solver s, const JointKind& kind, int n)
+		: solver(s), joints(kind.joints), jointClass(kind.jointClass), iterations(n)
+	{
+	}
+	JointKind kind() const { return {joints, jointClass}; }
+};
+}  // namespace ep
+
+#endif  // EP_METHOD_H
