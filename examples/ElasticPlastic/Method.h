@@ -61,13 +61,30 @@ const std::vector<Named<JointKind>>& jointKinds();
 /// Those that demonstrations offer: Bullet's, and ours in its two forms.
 const std::vector<Named<Solver>>& solvers();
 
+/// What a scene can be computed without. Bits.
+namespace parts
+{
+enum : unsigned
+{
+	Nothing = 0,
+	Elasticity = 1,           ///< joints are rigid up to yield
+	Shear = 2,                ///< left to Bullet's class, which locks it
+	Torsion = 4,              ///< left to Bullet's class, which lets it go
+	ContactCoupling = 8,      ///< contacts are solved after the joints, by themselves (direct solver)
+	ContinuousCollision = 16  ///< Bullet's sweep of bodies that move further than their size
+};
+}
+
 /// How a scene is solved: what comparisons vary, but for the step.
 struct Method
 {
 	Solver solver = Solver::Iterative;
 	Joints joints = Joints::ElasticPlastic;
 	JointClass jointClass = JointClass::Spring2;
-	int iterations = 10;  ///< of iterative solvers, Bullet's default
+	int iterations = 10;                            ///< of iterative solvers, Bullet's default
+	unsigned without = parts::ContinuousCollision;  ///< what is left out
+
+	bool has(unsigned part) const { return (without & part) == 0; }
 
 	Method(Solver s) : solver(s) {}
 	Method(Solver s, const JointKind& kind, int n)

@@ -27,31 +27,22 @@ btScalar Run::next()
 
 void Run::substep(btScalar dt)
 {
-	if (!m_isBegun)
-	{
-		m_energy = m_most = m_world.kineticEnergy();
-		m_isBegun = true;
-	}
 	m_audit.begin();
 	const auto begin = std::chrono::steady_clock::now();
 	m_world.step(dt);
 	if (m_stepping.error > 0)
 		m_control.observe(m_world.bullet(), m_world.action());
-	++m_outcome.substeps;
 	m_outcome.runTime += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-	const double energy = m_audit.end(dt);
-	m_created += std::max(0., energy - m_energy);
-	m_energy = energy;
-	m_most = std::max(m_most, m_world.kineticEnergy());
-	for (const btElasticPlasticJoint* joint : m_world.joints())
-		m_most = std::max(m_most, joint->getWork());
+	m_audit.end(dt);
+	++m_outcome.substeps;
 	m_time += double(dt);
 	m_outcome.simulated += double(dt);
 }
 
 Run::~Run()
 {
-	const double created = m_most > 0 ? m_created / m_most : 0;
+	const double byJoints = m_audit.createdByJoints() > EnergyAudit::SWAY ? m_audit.createdByJoints() : 0.;
+	const double created = std::max(m_audit.created(), byJoints);
 	// Bullet's own joints do not tell what they take.
 	if (!m_world.method().kind().isElasticPlastic())
 		m_outcome.energyCreated = NAN;

@@ -24,11 +24,10 @@ struct Quantity
 struct Outcome
 {
 	std::vector<Quantity> quantities;
-	double runTime = 0;    ///< of the steps alone [s]
-	double simulated = 0;  ///< [s]
-	int substeps = 0;      ///< that were taken
-	double energyCreated =
-		0;  ///< sum of what the audited energy rose by [J], over the most that it was, kinetic energy included
+	double runTime = 0;        ///< of the steps alone [s]
+	double simulated = 0;      ///< [s]
+	int substeps = 0;          ///< that were taken
+	double energyCreated = 0;  ///< from nowhere, over all there is: EnergyAudit
 
 	/// Of the first quantity, which the problem is named for.
 	double error() const { return quantities.front().error(); }
@@ -84,8 +83,7 @@ private:
 	EnergyAudit m_audit;
 	btElasticPlasticStepControl m_control;
 	int m_left = 0;  // substeps of the step
-	double m_time = 0, m_energy = 0, m_most = 0, m_created = 0;
-	bool m_isBegun = false;
+	double m_time = 0;
 };
 
 /// A reference problem with an exact answer.

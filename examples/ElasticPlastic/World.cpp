@@ -9,6 +9,48 @@
 
 namespace ep
 {
+namespace
+{
+/// Solves contacts after all else: what a comparison leaves out.
+class ContactsApart : public btElasticPlasticConstraintSolver
+{
+public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	btScalar solveGroup(btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
+						btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info,
+						btIDebugDraw* drawer, btDispatcher* dispatcher) override
+	{
+		btElasticPlasticConstraintSolver::solveGroup(bodies, numBodies, nullptr, 0, constraints, numConstraints, info,
+													 drawer, dispatcher);
+		if (numManifolds == 0)
+			return 0;
+		// Loads have been given already.
+		for (int i = 0; i < numBodies; ++i)
+			if (btRigidBody* body = btRigidBody::upcast(bodies[i]))
+				body->clearForces();
+		return m_contacts.solveGroup(bodies, numBodies, manifolds, numManifolds, nullptr, 0, info, drawer, dispatcher);
+	}
+
+private:
+	btSequentialImpulseConstraintSolver m_contacts;
+};
+
+/// What a joint is to bear without the parts that are left out.
+btElasticPlasticCapacity without(btElasticPlasticCapacity capacity, const Method& method)
+{
+	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+		if (!capacity.isElasticPlastic(dof))
+			continue;
+		else if ((!method.has(parts::Shear) && (dof == BT_EP_SHEAR_Y || dof == BT_EP_SHEAR_Z)) ||
+				 (!method.has(parts::Torsion) && dof == BT_EP_TORSION))
+			capacity.clear(dof);
+		else if (!method.has(parts::Elasticity))
+			capacity.setRigidPlastic(dof, capacity.m_yield[dof], capacity.m_ductility[dof]);
+	return capacity;
+}
+}  // namespace
+
 std::unique_ptr<btConstraintSolver> World::makeSolver()
 {
 	switch (m_method.solver)
@@ -24,7 +66,8 @@ std::unique_ptr<btConstraintSolver> World::makeSolver()
 		case Solver::Direct:
 			break;
 	}
-	auto ours = std::make_unique<btElasticPlasticConstraintSolver>();
+	auto ours = m_method.has(parts::ContactCoupling) ? std::make_unique<btElasticPlasticConstraintSolver>()
+													 : std::make_unique<ContactsApart>();
 	ours->setForm(m_method.solver == Solver::Direct ? BT_EP_DIRECT : BT_EP_ITERATIVE);
 	return ours;
 }
@@ -66,6 +109,14 @@ btRigidBody* World::body(btScalar mass, btCollisionShape* shape, const btTransfo
 	m_bodies.emplace_back(new btRigidBody(info));
 	btRigidBody* body = m_bodies.back().get();
 	body->setActivationState(DISABLE_DEACTIVATION);
+	if (collides && mass > 0 && m_method.has(parts::ContinuousCollision))
+	{
+		btVector3 low, high;
+		shape->getAabb(btTransform::getIdentity(), low, high);
+		const btScalar least = (high - low)[(high - low).minAxis()];
+		body->setCcdMotionThreshold(least / 2);
+		body->setCcdSweptSphereRadius(least / 5);
+	}
 	if (collides)
 		m_world->addRigidBody(body);
 	else
@@ -98,7 +149,7 @@ btElasticPlasticJoint* World::joint(btRigidBody& a, btRigidBody& b, const btTran
 		joint = new btElasticPlastic6DofSpringConstraint(a, b, inA, inB);
 	else
 		joint = new btElasticPlastic6DofSpring2Constraint(a, b, inA, inB);
-	joint->setCapacity(capacity);
+	joint->setCapacity(without(capacity, m_method));
 	m_joints.push_back(joint);
 	const JointKind kind = {m_method.joints, jointClass};
 	if (!kind.isElasticPlastic())

@@ -13,8 +13,9 @@ struct Stepped
 {
 	int rate, substeps;
 };
-const Stepped QUICK[] = {{60, 1}, {240, 1}, {60, 4}};
-const Stepped FULL[] = {{30, 1}, {60, 1}, {120, 1}, {240, 1}, {480, 1}, {960, 1}, {1920, 1}, {60, 2}, {60, 4}, {60, 8}};
+const Stepped QUICK[] = {{60, 1}, {240, 1}, {60, 8}};
+const Stepped FULL[] = {{30, 1},   {60, 1}, {120, 1}, {240, 1}, {480, 1}, {960, 1},
+						{1920, 1}, {60, 2}, {60, 4},  {60, 8},  {60, 16}, {60, 32}};
 }  // namespace
 
 std::vector<Case> casesOf(const std::vector<std::string>& problems, const std::vector<std::string>& precisions,

@@ -48,21 +48,47 @@ namespace
 bool iterates(Solver solver) { return solver != Solver::Mlcp && solver != Solver::Direct; }
 }  // namespace
 
-std::vector<Method> methodsToCompare(bool quick)
+namespace
+{
+void addParts(std::vector<Setting>& settings)
+{
+	Setting whole = {Solver::Direct, "everything"};
+	whole.method.without = parts::Nothing;
+	settings.push_back(whole);
+	const struct
+	{
+		unsigned part;
+		const char* scheme;
+	} all[] = {{parts::Elasticity, "without elasticity"},
+			   {parts::Shear, "without shear rows"},
+			   {parts::Torsion, "without torsion rows"},
+			   {parts::ContactCoupling, "without contact coupling"},
+			   {parts::ContinuousCollision, "without continuous collision"}};
+	for (const auto& p : all)
+	{
+		Setting setting = whole;
+		setting.method.without = p.part;
+		setting.scheme = p.scheme;
+		settings.push_back(setting);
+	}
+	Setting iterative = whole;
+	iterative.method.solver = Solver::Iterative;
+	iterative.scheme = "without direct solve";
+	settings.push_back(iterative);
+}
+}  // namespace
+
+std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick)
 {
 	const std::vector<int> iterations = quick ? std::vector<int>{10} : std::vector<int>{10, 50, 250};
 	const std::vector<JointClass> classes = quick ? std::vector<JointClass>{JointClass::Spring2}
 												  : std::vector<JointClass>{JointClass::Spring2, JointClass::Spring};
-	std::vector<Method> methods;
+	std::vector<Setting> settings;
 	const auto add = [&](Joints joints, Solver solver, JointClass jointClass)
 	{
 		for (const int n : iterations)
 		{
-			Method method(solver);
-			method.joints = joints;
-			method.jointClass = jointClass;
-			method.iterations = n;
-			methods.push_back(method);
+			settings.push_back({Method(solver, {joints, jointClass}, n), nameOf(joints)});
 			if (!iterates(solver))
 				break;
 		}
@@ -77,6 +103,11 @@ std::vector<Method> methodsToCompare(bool quick)
 	for (const Joints joints : {Joints::Fixed, Joints::Springs})
 		for (const Solver solver : {Solver::Stock, Solver::Mlcp})
 			add(joints, solver, JointClass::Spring2);
-	return methods;
+	if (rate == 60 && substeps == 1)
+		for (const double budget : {0.1, 0.01, 0.001})
+			settings.push_back({Solver::Direct, "profile", budget});
+	if (rate == 60 && substeps == 8)
+		addParts(settings);
+	return settings;
 }
 }  // namespace ep

@@ -13,8 +13,18 @@ const char* nameOf(Solver solver);
 const char* nameOf(Joints joints);
 const char* nameOf(JointClass jointClass);
 
-/// What the report compares. \param quick  one of each kind only
-std::vector<Method> methodsToCompare(bool quick);
+/// What a problem is computed by.
+struct Setting
+{
+	Method method;
+	std::string scheme;  ///< as records call it
+	double budget = 0;   ///< above 0: substeps by btElasticPlasticStepControl for this error
+};
+
+/// What the report compares in a case of the given step. At 1/60 s also what the profile makes of it for several budgets,
+/// and at 1/480 s, as 8 substeps, the direct solver without each of its parts.
+/// \param quick  one of each kind only
+std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick);
 }  // namespace ep
 
 #endif  // EP_REPORT_METHODS_H

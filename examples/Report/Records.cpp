@@ -16,9 +16,9 @@ namespace
 {
 double numberOf(const json& value) { return value.is_number() ? value.get<double>() : HUGE_VAL; }
 
-const char* const COLUMNS[] = {"problem",    "quantity", "dt_s",        "substeps",    "solver",
-							   "iterations", "scheme",   "joint_class", "precision",   "value",
-							   "exact",      "error",    "run_time_s",  "simulated_s", "energy_audit"};
+const char* const COLUMNS[] = {"problem",    "quantity",     "dt_s",        "substeps", "solver", "iterations",
+							   "scheme",     "joint_class",  "precision",   "value",    "exact",  "error",
+							   "run_time_s", "energy_audit", "simulated_s", "steps",    "budget"};
 }  // namespace
 
 std::string Record::setting() const
@@ -30,6 +30,8 @@ std::string Record::setting() const
 	out << ", ";
 	if (scheme == "default")
 		out << "our joints";
+	else if (scheme == "profile")
+		out << "profile for " << 100 * budget << " %";
 	else
 		out << scheme;
 	out << ", " << solver;
@@ -73,6 +75,8 @@ std::vector<Record> recordsOf(const json& list)
 		r.jointClass = j.at("joint_class");
 		r.precision = j.at("precision");
 		r.dt = j.at("dt_s");
+		r.budget = j.at("budget").is_number() ? j.at("budget").get<double>() : 0;
+		r.steps = j.at("steps");
 		r.substeps = j.at("substeps");
 		r.iterations = j.at("iterations");
 		r.value = numberOf(j.at("value"));

@@ -12,7 +12,8 @@ struct Record
 {
 	std::string problem, quantity, solver, scheme, jointClass, precision;
 	double dt, value, exact, error, runTime, simulated, energyAudit;  ///< infinite or not a number where there is none
-	int substeps, iterations;
+	double budget;                                                    ///< of the profile, else 0
+	int substeps, iterations, steps;
 
 	/// Time it takes per simulated second.
 	double cost() const { return runTime / simulated; }

@@ -33,38 +33,43 @@ json numberOrNull(double value) { return std::isfinite(value) ? json(value) : js
 
 json recordsOf(const Options& o, const ep::Problem& problem)
 {
-	const std::vector<ep::Method> methods = ep::methodsToCompare(o.quick);
-	std::vector<ep::Outcome> outcomes(methods.size());
-	std::vector<std::vector<double>> times(methods.size());
+	const std::vector<ep::Setting> settings = ep::settingsToCompare(o.rate, o.stepping.substeps, o.quick);
+	std::vector<ep::Outcome> outcomes(settings.size());
+	std::vector<std::vector<double>> times(settings.size());
 	for (int round = 0; round < o.repeats; ++round)
-		for (size_t m = 0; m < methods.size(); ++m)
+		for (size_t i = 0; i < settings.size(); ++i)
 		{
 			// What takes seconds needs no median.
-			if (round > 0 && times[m][0] > 1)
+			if (round > 0 && times[i][0] > 1)
 				continue;
-			outcomes[m] = problem.solve(methods[m], o.stepping);
-			times[m].push_back(outcomes[m].runTime);
+			ep::Stepping stepping = o.stepping;
+			stepping.error = settings[i].budget;
+			outcomes[i] = problem.solve(settings[i].method, stepping);
+			times[i].push_back(outcomes[i].runTime);
 		}
 	json records = json::array();
-	for (size_t m = 0; m < methods.size(); ++m)
+	for (size_t i = 0; i < settings.size(); ++i)
 	{
-		std::sort(times[m].begin(), times[m].end());
-		for (const ep::Quantity& quantity : outcomes[m].quantities)
+		std::sort(times[i].begin(), times[i].end());
+		const ep::Method& method = settings[i].method;
+		for (const ep::Quantity& quantity : outcomes[i].quantities)
 			records.push_back({{"problem", problem.name},
 							   {"quantity", quantity.name},
 							   {"dt_s", o.stepping.step},
 							   {"substeps", o.stepping.substeps},
-							   {"solver", ep::nameOf(methods[m].solver)},
-							   {"iterations", methods[m].iterations},
-							   {"scheme", ep::nameOf(methods[m].joints)},
-							   {"joint_class", ep::nameOf(methods[m].jointClass)},
+							   {"solver", ep::nameOf(method.solver)},
+							   {"iterations", method.iterations},
+							   {"scheme", settings[i].scheme},
+							   {"joint_class", ep::nameOf(method.jointClass)},
 							   {"precision", PRECISION},
 							   {"value", numberOrNull(quantity.value)},
 							   {"exact", quantity.exact},
 							   {"error", numberOrNull(quantity.error())},
-							   {"run_time_s", times[m][times[m].size() / 2]},
-							   {"simulated_s", outcomes[m].simulated},
-							   {"energy_audit", numberOrNull(outcomes[m].energyCreated)}});
+							   {"run_time_s", times[i][times[i].size() / 2]},
+							   {"energy_audit", numberOrNull(outcomes[i].energyCreated)},
+							   {"simulated_s", outcomes[i].simulated},
+							   {"steps", outcomes[i].substeps},
+							   {"budget", settings[i].budget > 0 ? json(settings[i].budget) : json()}});
 	}
 	return records;
 }

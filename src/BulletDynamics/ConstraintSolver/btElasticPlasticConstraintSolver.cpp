@@ -63,12 +63,27 @@ bool isLight(const btElasticPlasticGroup& island)
 			return false;
 	return true;
 }
+
+/// Bullet gives bodies their gravity first and wakes the rest of an island then: for a step that rest would weigh nothing,
+/// and a structure that carries itself spring up.
+void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
+{
+	for (int i = 0; i < numBodies; ++i)
+	{
+		btRigidBody* const body = btRigidBody::upcast(bodies[i]);
+		// Bullet leaves nobody else like this: who is tired has been at rest for a while.
+		if (body && body->getActivationState() == WANTS_DEACTIVATION && body->getDeactivationTime() == 0)
+			body->applyGravity();
+	}
+}
 }  // namespace
 
 void btElasticPlasticConstraintSolver::solveIsland(const btElasticPlasticGroup& island, const btContactSolverInfo& info,
 												   btIDebugDraw* debugDrawer, btDispatcher* dispatcher)
 {
 	m_islandJoints = island.m_joints;
+	if (m_islandJoints)
+		giveWokenTheirWeight(island.m_bodies, island.m_numBodies);
 	btSequentialImpulseConstraintSolver::solveGroup(island.m_bodies, island.m_numBodies, island.m_manifolds,
 													island.m_numManifolds, island.m_constraints,
 													island.m_numConstraints, info, debugDrawer, dispatcher);
