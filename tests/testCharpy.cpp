@@ -223,12 +223,20 @@ TEST(Charpy, EachWayDoesWhatItCan)
 {
 	CharpySettings s;
 	s.way = kinds::Rigid;
-	s.restitution = 0.5;
-	const CharpyResult rigid = run(s);
-	EXPECT_EQ(CharpyOutcome::Bounced, rigid.outcome);
-	EXPECT_EQ(0, rigid.plasticWork);
-	EXPECT_EQ(0, rigid.hingeAngle);
-	s.restitution = 0;
+	for (double e : {0.3, 0.5})
+	{
+		s.restitution = e;
+		const CharpyResult rigid = run(s);
+		EXPECT_EQ(CharpyOutcome::Bounced, rigid.outcome) << e;
+		// Bodies may be apart by 1 um when they bounce, 1 % of the way of the hammer in a substep.
+		EXPECT_NEAR((1 - e * e) * rigid.hammerBefore, rigid.loss(), 0.01 * rigid.hammerBefore) << e;
+		EXPECT_EQ(0, rigid.plasticWork);
+		EXPECT_EQ(0, rigid.hingeAngle);
+	}
+	CharpySettings inelastic = s;
+	inelastic.restitution = 0;
+	inelastic.step = 0.5e-3;
+	EXPECT_EQ(CharpyOutcome::Stuck, run(inelastic).outcome);
 
 	s.way = kinds::Breaking;
 	const CharpyResult brittle = run(s);
@@ -241,8 +249,10 @@ TEST(Charpy, EachWayDoesWhatItCan)
 		const CharpyResult spring = run(s);
 		EXPECT_EQ(CharpyOutcome::Bounced, spring.outcome) << nameOf(charpyWays(), way);
 		EXPECT_FALSE(spring.broken) << nameOf(charpyWays(), way);
-		// Less what friction takes, it is all there to spring back.
-		EXPECT_GT(spring.elasticEnergy, 0.85 * spring.loss()) << nameOf(charpyWays(), way);
+		// All that friction does not take springs back. Half of it is taken on the way out; the other half is there to be stored.
+		EXPECT_LT(spring.loss() - spring.frictionWork, 0.01 * spring.hammerBefore) << nameOf(charpyWays(), way);
+		const double stored = spring.hammerBefore - spring.frictionWork / 2;
+		EXPECT_NEAR(std::sqrt(2 * stored / s.hingeStiffness()), spring.greatestAngle, 0.01 * spring.greatestAngle);
 	}
 
 	s.way = kinds::HingeMotor;

@@ -65,7 +65,7 @@ CharpyOptions::CharpyOptions(CLI::App& app)
 			  &CharpySettings::hingeStep, 1, 0, 1);
 	addNumber(app, "--iterations", "Of the solver, where it iterates", &CharpySettings::iterations, 1, 100000);
 	addNumber(app, "--friction", "Coefficient of friction of all contacts", &CharpySettings::friction, 1, 0, 2);
-	addNumber(app, "--restitution", "Of all contacts", &CharpySettings::restitution, 1, 0, 1);
+	addNumber(app, "--restitution", "Of the blow on a rigid specimen", &CharpySettings::restitution, 1, 0, 1);
 	addNumber(app, "--yield", "Yield stress [MPa]", &CharpySettings::yieldStress, 1e6, 1, 1e5);
 	addNumber(app, "--max-rotation", "Plastic rotation at which a joint breaks [rad]", &CharpySettings::maxRotation, 1,
 			  1e-6, 100);

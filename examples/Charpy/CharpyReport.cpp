@@ -17,6 +17,7 @@ std::string toJson(const CharpyResult& r, const CharpySettings& s)
 		{"loss_J", r.loss()},
 		{"plastic_work_J", r.plasticWork},
 		{"hinge_angle_rad", r.hingeAngle},
+		{"greatest_hinge_angle_rad", r.greatestAngle},
 		{"specimen_kinetic_energy_J", r.specimenEnergy},
 		{"friction_work_J", r.frictionWork},
 		{"contact_work_J", r.contactWork},

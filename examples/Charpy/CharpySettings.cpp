@@ -27,6 +27,7 @@ CharpySettings CharpySettings::paper()
 	s.solver = Solver::Stock;
 	s.iterations = 10;
 	s.friction = 0.25;  // Bullet's default of 0.5 on both bodies
+	s.restitution = 0;
 	s.hingeStep = 0;
 	s.preciseContacts = false;
 	s.lengthsPerMetre = 1;

@@ -42,7 +42,8 @@ struct CharpySettings
 	double shift = 0;            ///< of the hammer and its axis, along the blow [m]
 	double gravity = 9.81;       ///< [m/s^2]
 	double friction = 0.1;       ///< coefficient of each pair in contact
-	double restitution = 0;      ///< of each pair in contact
+	double restitution =
+		0.5;  ///< of the blow on a rigid specimen; of what bends the joints tell whether it springs back
 
 	// ---- how it is modelled and computed
 	JointKind way = kinds::Ep2;
