@@ -18,7 +18,7 @@ const CharpySettings& checked(const CharpySettings& settings)
 
 const char* nameOf(CharpyOutcome outcome)
 {
-	static const char* const names[] = {"swinging", "passed", "bounced", "stuck"};
+	static const char* const names[] = {"swinging", "missed", "passed", "bounced", "stuck"};
 	return names[int(outcome)];
 }
 
@@ -219,7 +219,7 @@ void Charpy::observe()
 	if (!m_struck)
 	{
 		if (angle() > m_settings.swingAngle)
-			m_outcome = CharpyOutcome::Passed;
+			m_outcome = CharpyOutcome::Missed;
 		return;
 	}
 	if (isOver())

@@ -8,6 +8,7 @@ namespace ep
 enum class CharpyOutcome
 {
 	Swinging,  ///< not over yet
+	Missed,    ///< the hammer has met nothing
 	Passed,    ///< all pieces have gone through between the anvils
 	Bounced,   ///< the hammer has swung back
 	Stuck      ///< the hammer has come to rest in the specimen

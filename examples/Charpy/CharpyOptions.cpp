@@ -1,6 +1,5 @@
 #include "CharpyOptions.h"
 
-#include <cmath>
 #include <cstdio>
 
 #include "OptionRange.h"
@@ -9,10 +8,10 @@ namespace ep
 {
 namespace
 {
-std::string format(const char* pattern, double a)
+std::string toText(double value)
 {
-	char text[128];
-	std::snprintf(text, sizeof text, pattern, a);
+	char text[32];
+	std::snprintf(text, sizeof text, "%g", value);
 	return text;
 }
 }  // namespace
@@ -23,7 +22,7 @@ void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help,
 	const auto take = [this, field, unit](const double& value)
 	{ m_given.push_back([field, value, unit](CharpySettings& s) { s.*field = value * unit; }); };
 	CLI::Option* const option = app.add_option_function<double>(name, take, help);
-	option->check(optionRange(low, high))->default_str(format("%g", CharpySettings().*field / unit));
+	option->check(optionRange(low, high))->default_str(toText(CharpySettings().*field / unit));
 }
 
 void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help, int CharpySettings::*field, int low,
@@ -32,7 +31,7 @@ void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help,
 	const auto take = [this, field](const int& value)
 	{ m_given.push_back([field, value](CharpySettings& s) { s.*field = value; }); };
 	CLI::Option* const option = app.add_option_function<int>(name, take, help);
-	option->check(optionRange(low, high))->default_str(format("%g", CharpySettings().*field));
+	option->check(optionRange<int>(low, high))->default_str(toText(CharpySettings().*field));
 }
 
 template <class Value>
@@ -74,8 +73,8 @@ CharpyOptions::CharpyOptions(CLI::App& app)
 	addNumber(app, "--pieces", "Of the specimen, an even number", &CharpySettings::pieces, 2, 64);
 	addNumber(app, "--release", "Angle from which the hammer falls [rad]", &CharpySettings::release, 1, 0.2, 2.8);
 	addNumber(app, "--shift", "Of the hammer along the blow [um]", &CharpySettings::shift, 1e-6, -2000, 2000);
-	addNumber(app, "--lengths-per-metre", "Bullet's units of length in a metre", &CharpySettings::lengthsPerMetre, 1,
-			  0.01, 1e4);
+	addNumber(app, "--lengths-per-metre", "Bullet's units of length in a metre", &CharpySettings::lengthsPerMetre, 1, 1,
+			  1e4);
 }
 
 CharpySettings CharpyOptions::settings() const

@@ -86,7 +86,7 @@ std::string CharpySettings::fault() const
 		{"impact angle [rad]", impactAngle, 0.01, 0.5},
 		{"swing angle [rad]", swingAngle, impactAngle, 2},
 		{"rotation of the hinge in a substep [rad]", hingeStep, 0, 1},
-		{"lengths per metre", lengthsPerMetre, 1e-2, 1e4},
+		{"lengths per metre", lengthsPerMetre, 1, 1e4},
 	};
 	for (const Range& r : ranges)
 		if (!(r.value >= r.low && r.value <= r.high))
