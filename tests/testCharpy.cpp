@@ -219,14 +219,14 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 	EXPECT_FALSE(run(tough).broken);
 
 	// In the paper's geometry 1.9 rad are enough to pass, and less are not.
-	for (CharpyWay way : {CharpyWay::Ep1, CharpyWay::Ep2, CharpyWay::PlasticHinge})
+	for (const JointKind& way : {kinds::Ep1, kinds::Ep2, kinds::PlasticHinge})
 		for (double rotation : {1.85, 1.92})
 		{
 			CharpySettings s = with(Solver::Direct, 0);
 			s.geometry = CharpyGeometry::Paper;
 			s.way = way;
 			s.maxRotation = rotation;
-			EXPECT_EQ(rotation < 1.9, run(s).broken) << int(way) << " " << rotation;
+			EXPECT_EQ(rotation < 1.9, run(s).broken) << nameOf(charpyWays(), way) << " " << rotation;
 		}
 }
 
