@@ -353,11 +353,14 @@ TEST(Charpy, SaysWhatIsWrong)
 	};
 	EXPECT_EQ("", CharpySettings().fault());
 	EXPECT_EQ("", CharpySettings::paper().fault());
-	EXPECT_EQ("friction is nan; it must be a number from 0 to 2", fault(&CharpySettings::friction, std::nan("")));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::step, -1e-3).find("time step in the impact [s] is -0.001"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::notch, 0.0095).find("depth of the notch [m]"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::yieldStress, HUGE_VAL).find("yield stress [Pa] is inf"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::hingeStep, 1e-9).find("0: no bound"));
+	EXPECT_EQ("--friction is nan; it must be a number from 0 to 2 (Coefficient of friction of all contacts)",
+			  fault(&CharpySettings::friction, std::nan("")));
+	EXPECT_NE(std::string::npos,
+			  fault(&CharpySettings::step, -1e-3).find("--dt is -1; it must be a number from 0.0001 to 5"));
+	EXPECT_NE(std::string::npos,
+			  fault(&CharpySettings::notch, 0.0095).find("--notch is 9.5; it must be a number from 0 to 9 "));
+	EXPECT_NE(std::string::npos, fault(&CharpySettings::yieldStress, HUGE_VAL).find("--yield is inf"));
+	EXPECT_NE(std::string::npos, fault(&CharpySettings::hingeStep, 1e-9).find("--hinge-step is 1e-09"));
 	CharpySettings odd;
 	odd.pieces = 3;
 	EXPECT_NE(std::string::npos, odd.fault().find("must be even"));
