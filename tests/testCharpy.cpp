@@ -217,18 +217,37 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 	CharpySettings tough;
 	tough.maxRotation = 2.05;
 	EXPECT_FALSE(run(tough).broken);
+
+	// In the paper's geometry 1.9 rad are enough to pass, and less are not.
+	for (const JointKind& way : {kinds::Ep1, kinds::Ep2, kinds::PlasticHinge})
+		for (double rotation : {1.85, 1.92})
+		{
+			CharpySettings s = with(Solver::Direct, 0);
+			s.geometry = CharpyGeometry::Paper;
+			s.way = way;
+			s.maxRotation = rotation;
+			EXPECT_EQ(rotation < 1.9, run(s).broken) << nameOf(charpyWays(), way) << " " << rotation;
+		}
 }
 
 TEST(Charpy, EachWayDoesWhatItCan)
 {
 	CharpySettings s;
 	s.way = kinds::Rigid;
-	s.restitution = 0.5;
-	const CharpyResult rigid = run(s);
-	EXPECT_EQ(CharpyOutcome::Bounced, rigid.outcome);
-	EXPECT_EQ(0, rigid.plasticWork);
-	EXPECT_EQ(0, rigid.hingeAngle);
-	s.restitution = 0;
+	for (double e : {0.3, 0.5})
+	{
+		s.restitution = e;
+		const CharpyResult rigid = run(s);
+		EXPECT_EQ(CharpyOutcome::Bounced, rigid.outcome) << e;
+		// Bodies may be apart by 1 um when they bounce, 1 % of the way of the hammer in a substep.
+		EXPECT_NEAR((1 - e * e) * rigid.hammerBefore, rigid.loss(), 0.01 * rigid.hammerBefore) << e;
+		EXPECT_EQ(0, rigid.plasticWork);
+		EXPECT_EQ(0, rigid.hingeAngle);
+	}
+	CharpySettings inelastic = s;
+	inelastic.restitution = 0;
+	inelastic.step = 0.5e-3;
+	EXPECT_EQ(CharpyOutcome::Stuck, run(inelastic).outcome);
 
 	s.way = kinds::Breaking;
 	const CharpyResult brittle = run(s);
@@ -241,8 +260,10 @@ TEST(Charpy, EachWayDoesWhatItCan)
 		const CharpyResult spring = run(s);
 		EXPECT_EQ(CharpyOutcome::Bounced, spring.outcome) << nameOf(charpyWays(), way);
 		EXPECT_FALSE(spring.broken) << nameOf(charpyWays(), way);
-		// Less what friction takes, it is all there to spring back.
-		EXPECT_GT(spring.elasticEnergy, 0.85 * spring.loss()) << nameOf(charpyWays(), way);
+		// All that friction does not take springs back. Half of it is taken on the way out; the other half is there to be stored.
+		EXPECT_LT(spring.loss() - spring.frictionWork, 0.01 * spring.hammerBefore) << nameOf(charpyWays(), way);
+		const double stored = spring.hammerBefore - spring.frictionWork / 2;
+		EXPECT_NEAR(std::sqrt(2 * stored / s.hingeStiffness()), spring.greatestAngle, 0.01 * spring.greatestAngle);
 	}
 
 	s.way = kinds::HingeMotor;
@@ -332,11 +353,14 @@ TEST(Charpy, SaysWhatIsWrong)
 	};
 	EXPECT_EQ("", CharpySettings().fault());
 	EXPECT_EQ("", CharpySettings::paper().fault());
-	EXPECT_EQ("friction is nan; it must be a number from 0 to 2", fault(&CharpySettings::friction, std::nan("")));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::step, -1e-3).find("time step in the impact [s] is -0.001"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::notch, 0.0095).find("depth of the notch [m]"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::yieldStress, HUGE_VAL).find("yield stress [Pa] is inf"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::hingeStep, 1e-9).find("0: no bound"));
+	EXPECT_EQ("--friction is nan; it must be a number from 0 to 2 (Coefficient of friction of all contacts)",
+			  fault(&CharpySettings::friction, std::nan("")));
+	EXPECT_NE(std::string::npos,
+			  fault(&CharpySettings::step, -1e-3).find("--dt is -1; it must be a number from 0.0001 to 5"));
+	EXPECT_NE(std::string::npos,
+			  fault(&CharpySettings::notch, 0.0095).find("--notch is 9.5; it must be a number from 0 to 9 "));
+	EXPECT_NE(std::string::npos, fault(&CharpySettings::yieldStress, HUGE_VAL).find("--yield is inf"));
+	EXPECT_NE(std::string::npos, fault(&CharpySettings::hingeStep, 1e-9).find("--hinge-step is 1e-09"));
 	CharpySettings odd;
 	odd.pieces = 3;
 	EXPECT_NE(std::string::npos, odd.fault().find("must be even"));

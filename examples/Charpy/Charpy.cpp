@@ -18,7 +18,7 @@ const CharpySettings& checked(const CharpySettings& settings)
 
 const char* nameOf(CharpyOutcome outcome)
 {
-	static const char* const names[] = {"swinging", "passed", "bounced", "stuck"};
+	static const char* const names[] = {"swinging", "missed", "passed", "bounced", "stuck"};
 	return names[int(outcome)];
 }
 
@@ -44,6 +44,13 @@ Charpy::Charpy(const CharpySettings& settings)
 		info.m_splitImpulsePenetrationThreshold = 0;
 		info.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
 		info.m_restitutionVelocityThreshold *= btScalar(settings.lengthsPerMetre);
+		// A rigid specimen between hammer and anvils, 450 times lighter than the hammer, takes as many iterations, and more:
+		// until no velocity changes by more than 2 um/s.
+		if (settings.way == kinds::Rigid)
+		{
+			info.m_numIterations = btMax(settings.iterations, 5000);
+			info.m_leastSquaresResidualThreshold = btScalar(4e-12 * m_perJoule);
+		}
 	}
 	m_energy.watch(*m_parts.bearing);
 	join();
@@ -126,11 +133,12 @@ void Charpy::followBend()
 	const double now =
 		std::atan2(double(b.getColumn(2).dot(a.getColumn(0))), double(b.getColumn(2).dot(a.getColumn(2))));
 	m_bend += std::remainder(now - m_bend, 2 * M_PI);
+	m_result.greatestAngle = btMax(m_result.greatestAngle, std::fabs(m_bend));
 }
 
 int Charpy::substepsIn(double dt) const
 {
-	if (angle() + angularSpeed() * dt <= -m_settings.impactAngle)
+	if (!m_struck && angle() + angularSpeed() * dt <= -m_settings.impactAngle)
 		return 1;
 	double parts = 1;
 	for (const CharpyJoint& joint : m_joints)
@@ -211,7 +219,7 @@ void Charpy::observe()
 	if (!m_struck)
 	{
 		if (angle() > m_settings.swingAngle)
-			m_outcome = CharpyOutcome::Passed;
+			m_outcome = CharpyOutcome::Missed;
 		return;
 	}
 	if (isOver())
@@ -229,7 +237,7 @@ void Charpy::observe()
 								 (m_settings.anvilWidth + m_settings.length / 2) * m_settings.lengthsPerMetre;
 	if (through || angle() > m_settings.swingAngle)
 		m_outcome = CharpyOutcome::Passed;
-	else if (angularSpeed() < -1e-3)
+	else if (angle() < -m_settings.impactAngle)
 		m_outcome = CharpyOutcome::Bounced;
 	else if (m_time - m_struckTime > 0.2)
 		m_outcome = CharpyOutcome::Stuck;

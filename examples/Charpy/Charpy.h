@@ -8,8 +8,9 @@ namespace ep
 enum class CharpyOutcome
 {
 	Swinging,  ///< not over yet
+	Missed,    ///< the hammer has met nothing
 	Passed,    ///< all pieces have gone through between the anvils
-	Bounced,   ///< the hammer came back
+	Bounced,   ///< the hammer has swung back
 	Stuck      ///< the hammer has come to rest in the specimen
 };
 const char* nameOf(CharpyOutcome outcome);
@@ -28,6 +29,7 @@ struct CharpyResult
 	double contactWork = 0;           ///< what blows took, normal to the faces: they are inelastic [J]
 	double numericalDissipation = 0;  ///< of joints, bearing and time integration [J]
 	double hingeAngle = 0;            ///< bend at the notch, 0 if the specimen is rigid [rad]
+	double greatestAngle = 0;         ///< of the hinge so far [rad]
 	bool broken = false;              ///< any joint
 	double plasticMoment = 0;         ///< [N m]
 	double passingAngle = 0;          ///< by geometry, see CharpySettings [rad]

@@ -89,6 +89,9 @@ void CharpyEnergy::addContacts()
 		for (int p = 0; p < manifold.getNumContacts(); ++p)
 		{
 			const btManifoldPoint& point = manifold.getContactPoint(p);
+			// One that is not in the step leaves its impulse as it was.
+			if (point.getDistance() > manifold.getContactProcessingThreshold())
+				continue;
 			const btVector3 v =
 				meanVelocity(a, point.getPositionWorldOnA()) - meanVelocity(b, point.getPositionWorldOnB());
 			m_contact += double(point.m_appliedImpulse * v.dot(point.m_normalWorldOnB));

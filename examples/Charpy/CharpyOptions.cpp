@@ -1,6 +1,5 @@
 #include "CharpyOptions.h"
 
-#include <cmath>
 #include <cstdio>
 
 #include "OptionRange.h"
@@ -9,31 +8,13 @@ namespace ep
 {
 namespace
 {
-std::string format(const char* pattern, double a)
+std::string toText(double value)
 {
-	char text[128];
-	std::snprintf(text, sizeof text, pattern, a);
+	char text[32];
+	std::snprintf(text, sizeof text, "%g", value);
 	return text;
 }
 }  // namespace
-
-void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help, double CharpySettings::*field,
-							  double unit, double low, double high)
-{
-	const auto take = [this, field, unit](const double& value)
-	{ m_given.push_back([field, value, unit](CharpySettings& s) { s.*field = value * unit; }); };
-	CLI::Option* const option = app.add_option_function<double>(name, take, help);
-	option->check(optionRange(low, high))->default_str(format("%g", CharpySettings().*field / unit));
-}
-
-void CharpyOptions::addNumber(CLI::App& app, const char* name, const char* help, int CharpySettings::*field, int low,
-							  int high)
-{
-	const auto take = [this, field](const int& value)
-	{ m_given.push_back([field, value](CharpySettings& s) { s.*field = value; }); };
-	CLI::Option* const option = app.add_option_function<int>(name, take, help);
-	option->check(optionRange(low, high))->default_str(format("%g", CharpySettings().*field));
-}
 
 template <class Value>
 void CharpyOptions::addName(CLI::App& app, const char* name, const char* help, Value CharpySettings::*field,
@@ -60,22 +41,13 @@ CharpyOptions::CharpyOptions(CLI::App& app)
 	addName(app, "--joint", "How the specimen holds together", &CharpySettings::way, charpyWays());
 	addName(app, "--geometry", "Of hammer and anvils", &CharpySettings::geometry, charpyGeometries());
 	addName(app, "--solver", "Bullet's, or ours in one of its forms", &CharpySettings::solver, solvers());
-	addNumber(app, "--dt", "Time step in the impact [ms]", &CharpySettings::step, 1e-3, 1e-4, 5);
-	addNumber(app, "--hinge-step", "Greatest rotation of the hinge in an internal substep, 0: no bound [rad]",
-			  &CharpySettings::hingeStep, 1, 0, 1);
-	addNumber(app, "--iterations", "Of the solver, where it iterates", &CharpySettings::iterations, 1, 100000);
-	addNumber(app, "--friction", "Coefficient of friction of all contacts", &CharpySettings::friction, 1, 0, 2);
-	addNumber(app, "--restitution", "Of all contacts", &CharpySettings::restitution, 1, 0, 1);
-	addNumber(app, "--yield", "Yield stress [MPa]", &CharpySettings::yieldStress, 1e6, 1, 1e5);
-	addNumber(app, "--max-rotation", "Plastic rotation at which a joint breaks [rad]", &CharpySettings::maxRotation, 1,
-			  1e-6, 100);
-	addNumber(app, "--notch", "Depth of the notch [mm]", &CharpySettings::notch, 1e-3, 0, 9);
-	addNumber(app, "--width", "Of the specimen's section, upright [mm]", &CharpySettings::width, 1e-3, 1, 100);
-	addNumber(app, "--pieces", "Of the specimen, an even number", &CharpySettings::pieces, 2, 64);
-	addNumber(app, "--release", "Angle from which the hammer falls [rad]", &CharpySettings::release, 1, 0.2, 2.8);
-	addNumber(app, "--shift", "Of the hammer along the blow [um]", &CharpySettings::shift, 1e-6, -2000, 2000);
-	addNumber(app, "--lengths-per-metre", "Bullet's units of length in a metre", &CharpySettings::lengthsPerMetre, 1,
-			  0.01, 1e4);
+	for (const CharpyNumber& n : charpyNumbers())
+		app.add_option_function<double>(
+			   std::string("--") + n.name,
+			   [this, &n](double value) { m_given.push_back([&n, value](CharpySettings& s) { n.set(s, value); }); },
+			   n.help)
+			->check(n.whole ? optionRange<int>(n.low, n.high) : optionRange(n.low, n.high))
+			->default_str(toText(n.of(CharpySettings())));
 }
 
 CharpySettings CharpyOptions::settings() const

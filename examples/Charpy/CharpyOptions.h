@@ -16,9 +16,6 @@ public:
 	CharpySettings settings() const;
 
 private:
-	void addNumber(CLI::App& app, const char* name, const char* help, double CharpySettings::*field, double unit,
-				   double low, double high);
-	void addNumber(CLI::App& app, const char* name, const char* help, int CharpySettings::*field, int low, int high);
 	template <class Value>
 	void addName(CLI::App& app, const char* name, const char* help, Value CharpySettings::*field,
 				 const std::vector<Named<Value>>& names);

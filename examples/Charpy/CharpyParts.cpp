@@ -131,11 +131,15 @@ btVector3 pieceCentre(const CharpySettings& s, int i)
 
 CharpyParts::CharpyParts(World& world, const CharpySettings& s)
 {
-	// Bullet multiplies the two bodies' coefficients.
 	const auto finish = [&s](btRigidBody* body)
 	{
+		// Bullet multiplies the two bodies' coefficients.
 		body->setFriction(btScalar(std::sqrt(s.friction)));
-		body->setRestitution(btScalar(std::sqrt(s.restitution)));
+		if (s.way == kinds::Rigid)
+			body->setRestitution(btScalar(std::sqrt(s.restitution)));
+		// Bullet brakes bodies before they touch, and what has been braked does not bounce.
+		if (s.way == kinds::Rigid && s.preciseContacts)
+			body->setContactProcessingThreshold(btScalar(1e-6 * s.lengthsPerMetre));
 		return body;
 	};
 	for (int i = 0; i < 2; ++i)

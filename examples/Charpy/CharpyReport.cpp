@@ -2,14 +2,25 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "plot.h"
 
 namespace ep
 {
 std::string toJson(const CharpyResult& r, const CharpySettings& s)
 {
+	// As on the command line.
+	nlohmann::ordered_json settings = {{"joint", nameOf(charpyWays(), s.way)},
+									   {"geometry", nameOf(charpyGeometries(), s.geometry)},
+									   {"solver", nameOf(solvers(), s.solver)},
+									   {"precision", sizeof(btScalar) == sizeof(double) ? "double" : "float"}};
+	for (const CharpyNumber& n : charpyNumbers())
+		if (n.whole)
+			settings[n.name] = s.*n.whole;
+		else
+			settings[n.name] = n.of(s);
 	// Ordered: the reader finds what he looks for first.
 	const nlohmann::ordered_json json = {
 		{"outcome", nameOf(r.outcome)},
@@ -17,6 +28,7 @@ std::string toJson(const CharpyResult& r, const CharpySettings& s)
 		{"loss_J", r.loss()},
 		{"plastic_work_J", r.plasticWork},
 		{"hinge_angle_rad", r.hingeAngle},
+		{"greatest_hinge_angle_rad", r.greatestAngle},
 		{"specimen_kinetic_energy_J", r.specimenEnergy},
 		{"friction_work_J", r.frictionWork},
 		{"contact_work_J", r.contactWork},
@@ -32,23 +44,7 @@ std::string toJson(const CharpyResult& r, const CharpySettings& s)
 		{"deepest_penetration_m", r.deepest},
 		{"impact_time_s", r.duration},
 		{"substeps", r.substeps},
-		{"settings",
-		 {{"joint", nameOf(charpyWays(), s.way)},
-		  {"geometry", nameOf(charpyGeometries(), s.geometry)},
-		  {"solver", nameOf(solvers(), s.solver)},
-		  {"precision", sizeof(btScalar) == sizeof(double) ? "double" : "float"},
-		  {"iterations", s.iterations},
-		  {"step_s", s.step},
-		  {"hinge_step_rad", s.hingeStep},
-		  {"friction", s.friction},
-		  {"restitution", s.restitution},
-		  {"pieces", s.pieces},
-		  {"yield_stress_Pa", s.yieldStress},
-		  {"notch_m", s.notch},
-		  {"width_m", s.width},
-		  {"max_rotation_rad", s.maxRotation},
-		  {"release_rad", s.release},
-		  {"shift_m", s.shift}}},
+		{"settings", settings},
 	};
 	return json.dump(2) + "\n";
 }
@@ -97,9 +93,7 @@ void makeDirectory(const std::string& directory)
 std::string writeFile(const std::string& directory, const std::string& name, const std::string& text)
 {
 	const std::string file = (std::filesystem::path(directory) / name).string();
-	std::ofstream stream(file);
-	if (!(stream << text << std::flush))
-		throw std::runtime_error("cannot write the file '" + file + "'");
+	writeText(file, text);
 	return file;
 }
 

@@ -27,6 +27,7 @@ CharpySettings CharpySettings::paper()
 	s.solver = Solver::Stock;
 	s.iterations = 10;
 	s.friction = 0.25;  // Bullet's default of 0.5 on both bodies
+	s.restitution = 0;
 	s.hingeStep = 0;
 	s.preciseContacts = false;
 	s.lengthsPerMetre = 1;
@@ -39,62 +40,77 @@ double CharpySettings::passingAngle() const
 	return 2 * (std::acos(gap / 2 / std::hypot(l, c)) + std::atan(c / l));
 }
 
-namespace
+const std::vector<CharpyNumber>& charpyNumbers()
 {
-struct Range
-{
-	const char* quantity;
-	double value, low, high;
-};
-
-std::string outOfRange(const Range& r)
-{
-	char text[256];
-	std::snprintf(text, sizeof text, "%s is %g; it must be a number from %g to %g", r.quantity, r.value, r.low, r.high);
-	return text;
+	using S = CharpySettings;
+	static const std::vector<CharpyNumber> numbers = {
+		{"dt", "Time step in the impact [ms]", 1e-3, 1e-4, 5, &S::step},
+		{"hinge-step", "Greatest rotation of the hinge in an internal substep, 0: no bound [rad]", 1, 0, 1,
+		 &S::hingeStep},
+		{"iterations", "Of the solver, where it iterates", 1, 100000, &S::iterations},
+		{"friction", "Coefficient of friction of all contacts", 1, 0, 2, &S::friction},
+		{"restitution", "Of the blow on a rigid specimen", 1, 0, 1, &S::restitution},
+		{"yield", "Yield stress [MPa]", 1e6, 1, 1e5, &S::yieldStress},
+		{"max-rotation", "Plastic rotation at which a joint breaks [rad]", 1, 1e-6, 100, &S::maxRotation},
+		{"notch", "Depth of the notch [mm]", 1e-3, 0, 90, &S::notch},
+		{"width", "Of the specimen's section, upright [mm]", 1e-3, 1, 100, &S::width},
+		{"height", "Of the specimen's section, along the blow [mm]", 1e-3, 1, 100, &S::height},
+		{"length", "Of the specimen [mm]", 1e-3, 1, 1000, &S::length},
+		{"pieces", "Of the specimen, an even number", 2, 64, &S::pieces},
+		{"density", "Of the specimen [kg/m^3]", 1, 1, 1e5, &S::density},
+		{"youngs-modulus", "Of the specimen [GPa]", 1e9, 1e-3, 1e4, &S::youngsModulus},
+		{"release", "Angle from which the hammer falls [rad]", 1, 0.02, 2.8, &S::release},
+		{"hammer-mass", "Mass of the hammer [kg]", 1, 1e-2, 1e5, &S::hammerMass},
+		{"hammer-length", "Of the hammer, along the blow [m]", 1, 0.05, 10, &S::hammerLength},
+		{"hammer-height", "Of the hammer, upright [m]", 1, 0.02, 10, &S::hammerHeight},
+		{"draft", "Length over which the paper's hammer narrows to its edge [mm]", 1e-3, 1, 9000, &S::draft},
+		{"arm", "From the hammer's axis down to the blow [m]", 1, 0.25, 10, &S::arm},
+		{"shift", "Of the hammer along the blow [um]", 1e-6, -2000, 2000, &S::shift},
+		{"gap", "Between the anvils [mm]", 1e-3, 1, 1000, &S::gap},
+		{"anvil-width", "Of each, along the specimen and along the blow [mm]", 1e-3, 5, 1000, &S::anvilWidth},
+		{"gravity", "Acceleration of gravity [m/s^2]", 1, 0.1, 1000, &S::gravity},
+		{"swing-dt", "Time step outside of the impact [ms]", 1e-3, 1e-4, 20, &S::swingStep},
+		{"impact-angle", "Of the hammer, below which dt holds [rad]", 1, 0.01, 0.5, &S::impactAngle},
+		{"swing-angle", "Of the hammer, beyond which swing-dt holds [rad]", 1, 0.01, 2, &S::swingAngle},
+		{"lengths-per-metre", "Bullet's units of length in a metre", 1, 1, 1e4, &S::lengthsPerMetre},
+	};
+	return numbers;
 }
-}  // namespace
 
 std::string CharpySettings::fault() const
 {
-	const Range ranges[] = {
-		{"length of the specimen [m]", length, 1e-3, 1},
-		{"height of its section [m]", height, 1e-3, 0.1},
-		{"width of its section [m]", width, 1e-3, 0.1},
-		{"depth of the notch [m]", notch, 0, 0.9 * height},
-		{"number of pieces", double(pieces), 2, 64},
-		{"density [kg/m^3]", density, 1, 1e5},
-		{"Young's modulus [Pa]", youngsModulus, 1e6, 1e13},
-		{"yield stress [Pa]", yieldStress, 1e5, 1e11},
-		{"maximum rotation [rad]", maxRotation, 1e-6, 100},
-		{"gap between the anvils [m]", gap, 1e-3, 0.98 * length},
-		{"width of an anvil [m]", anvilWidth, 5e-3, 1},
-		{"length of the hammer [m]", hammerLength, 0.05, 10},
-		{"height of the hammer [m]", hammerHeight, 0.02, 10},
-		{"mass of the hammer [kg]", hammerMass, 1e-2, 1e5},
-		{"draft of the hammer [m]", draft, 1e-3, 0.9 * hammerLength},
-		{"arm of the hammer [m]", arm, 0.25, 10},
-		{"angle of release [rad]", release, swingAngle, 2.8},
-		{"shift of the hammer [m]", shift, -2e-3, 2e-3},
-		{"gravity [m/s^2]", gravity, 0.1, 1000},
-		{"friction", friction, 0, 2},
-		{"restitution", restitution, 0, 1},
-		{"iterations", double(iterations), 1, 1e6},
-		{"time step in the impact [s]", step, 1e-7, 5e-3},
-		{"time step of the swing [s]", swingStep, step, 0.02},
-		{"impact angle [rad]", impactAngle, 0.01, 0.5},
-		{"swing angle [rad]", swingAngle, impactAngle, 2},
-		{"rotation of the hinge in a substep [rad]", hingeStep, 0, 1},
-		{"lengths per metre", lengthsPerMetre, 1e-2, 1e4},
+	std::string found;
+	const auto check = [this, &found](const CharpyNumber& n, double low, double high)
+	{
+		const double value = n.of(*this), slack = 1e-9 * (std::fabs(low) + std::fabs(high));  // of changing units
+		if (!found.empty() || (value >= low - slack && value <= high + slack))
+			return;
+		char text[256];
+		std::snprintf(text, sizeof text, "--%s is %g; it must be a number from %g to %g (%s)", n.name, value, low, high,
+					  n.help);
+		found = text;
 	};
-	for (const Range& r : ranges)
-		if (!(r.value >= r.low && r.value <= r.high))
-			return outOfRange(r);
-	if (hingeStep > 0 && hingeStep < 1e-4)
-		return outOfRange({"rotation of the hinge in a substep [rad] (0: no bound)", hingeStep, 1e-4, 1});
-	if (pieces % 2 != 0)
-		return "number of pieces (--pieces) is " + std::to_string(pieces) +
-			   "; it must be even: the notch is between the middle ones";
-	return std::string();
+	for (const CharpyNumber& n : charpyNumbers())
+		check(n, n.low, n.high);
+
+	// What depends on others, bounds in SI units.
+	const struct
+	{
+		double CharpySettings::*field;
+		double low, high;
+	} bounds[] = {{&CharpySettings::notch, 0, 0.9 * height},
+				  {&CharpySettings::gap, 1e-3, 0.98 * length},
+				  {&CharpySettings::draft, 1e-3, 0.9 * hammerLength},
+				  {&CharpySettings::release, swingAngle, 2.8},
+				  {&CharpySettings::swingStep, step, 0.02},
+				  {&CharpySettings::swingAngle, impactAngle, 2},
+				  {&CharpySettings::hingeStep, hingeStep > 0 ? 1e-4 : 0, 1}};
+	for (const auto& b : bounds)
+		for (const CharpyNumber& n : charpyNumbers())
+			if (n.real == b.field)
+				check(n, b.low / n.unit, b.high / n.unit);
+	if (found.empty() && pieces % 2 != 0)
+		found = "--pieces is " + std::to_string(pieces) + "; it must be even: the notch is between the middle ones";
+	return found;
 }
 }  // namespace ep

@@ -42,7 +42,7 @@ struct CharpySettings
 	double shift = 0;            ///< of the hammer and its axis, along the blow [m]
 	double gravity = 9.81;       ///< [m/s^2]
 	double friction = 0.1;       ///< coefficient of each pair in contact
-	double restitution = 0;      ///< of each pair in contact
+	double restitution = 0.5;  ///< of the blow on a rigid specimen; whether others spring back is their joints' matter
 
 	// ---- how it is modelled and computed
 	JointKind way = kinds::Ep2;
@@ -94,6 +94,36 @@ struct CharpySettings
 		return plasticMoment() * (passingAngle() - plasticMoment() / hingeStiffness());
 	}
 };
+
+/// A number that can be set: an option of the command line.
+struct CharpyNumber
+{
+	const char* name;
+	const char* help;  ///< with its unit
+	double unit;       ///< of the option over SI
+	double low, high;  ///< in the option's unit
+	double CharpySettings::*real;
+	int CharpySettings::*whole;  ///< one of the two, the other null
+
+	CharpyNumber(const char* n, const char* h, double u, double from, double to, double CharpySettings::*field)
+		: name(n), help(h), unit(u), low(from), high(to), real(field), whole(nullptr)
+	{
+	}
+	CharpyNumber(const char* n, const char* h, int from, int to, int CharpySettings::*field)
+		: name(n), help(h), unit(1), low(from), high(to), real(nullptr), whole(field)
+	{
+	}
+	/// In the option's unit.
+	double of(const CharpySettings& s) const { return whole ? s.*whole : s.*real / unit; }
+	void set(CharpySettings& s, double value) const
+	{
+		if (whole)
+			s.*whole = int(value);
+		else
+			s.*real = value * unit;
+	}
+};
+const std::vector<CharpyNumber>& charpyNumbers();
 }  // namespace ep
 
 #endif  // EP_CHARPY_SETTINGS_H

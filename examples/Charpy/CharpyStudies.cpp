@@ -90,15 +90,15 @@ CharpyTable ways(const CharpySettings& settings)
 	t.name = "ways";
 	t.title = "The ways of modelling";
 	t.labelColumn = "joint";
-	t.columns = {"loss_J",    "plastic_J",   "kinetic_J", "friction_J", "contacts_J",
-				 "elastic_J", "numerical_J", "hinge_rad", "broken",     "bounced"};
+	t.columns = {"loss_J",    "plastic_J",   "kinetic_J",         "friction_J", "contacts_J",
+				 "elastic_J", "numerical_J", "greatest_bend_rad", "broken",     "bounced"};
 	for (const auto& way : charpyWays())
 	{
 		CharpySettings s = settings;
 		s.way = way.value;
 		const CharpyResult r = Charpy(s).run();
 		t.add({r.loss(), r.plasticWork, r.specimenEnergy, r.frictionWork, r.contactWork, r.elasticEnergy,
-			   r.numericalDissipation, r.hingeAngle, double(r.broken), double(r.outcome == CharpyOutcome::Bounced)},
+			   r.numericalDissipation, r.greatestAngle, double(r.broken), double(r.outcome == CharpyOutcome::Bounced)},
 			  way.name);
 	}
 	return t;

@@ -7,6 +7,7 @@
 #include "CharpyReport.h"
 #include "CharpyScene.h"
 #include "CharpyStudies.h"
+#include "OptionRange.h"
 #ifdef EP_WITH_VIEWER
 #include "viewer.h"
 #endif
@@ -23,7 +24,7 @@ struct Options
 		app.add_option("--screenshot", screenshot, "Open the window, save a PNG there, and end");
 		app.add_option("--after", after, "Time in the window before the screenshot [s]")
 			->capture_default_str()
-			->check(CLI::Range(0.0, 60.0));
+			->check(ep::optionRange(0.0, 60.0));
 		app.add_option("--out", out, "Directory for what is left")->capture_default_str();
 		std::vector<std::string> names = {"all"};
 		std::string help = "Many tests with these settings, their results as a table, CSV and SVG: all";

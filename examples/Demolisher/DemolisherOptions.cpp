@@ -10,7 +10,7 @@ namespace
 template <class Value>
 CLI::Option* number(CLI::App& app, const char* name, Value& value, const char* help, double low, double high)
 {
-	return app.add_option(name, value, help)->capture_default_str()->check(optionRange(low, high));
+	return app.add_option(name, value, help)->capture_default_str()->check(optionRange<Value>(low, high));
 }
 
 template <class Value>

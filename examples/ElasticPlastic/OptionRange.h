@@ -3,21 +3,25 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <string>
+#include <type_traits>
 
 namespace ep
 {
-/// A number from low to high. CLI::Range lets what is not a number pass.
-inline CLI::Validator optionRange(double low, double high)
+/// What a number on the command line must be. CLI::Range lets what is not a number pass.
+template <class Number = double>
+CLI::Validator optionRange(double low, double high)
 {
 	char range[64];
 	std::snprintf(range, sizeof range, "%g to %g", low, high);
-	const auto check = [low, high, must = std::string("; it must be from ") + range](std::string& text)
+	const auto check = [low, high, range = std::string(range)](std::string& text)
 	{
-		double value = 0;
+		Number value = 0;
 		if (!CLI::detail::lexical_cast(text, value))
-			return "'" + text + "' is no number" + must;
-		if (!(value >= low && value <= high))
-			return "'" + text + "' is out of range" + must;
+			return "'" + text + "' is no " + (std::is_integral<Number>::value ? "whole " : "") +
+				   "number; it must be from " + range;
+		if (!(double(value) >= low && double(value) <= high))
+			return "'" + text + "' is out of range; it must be from " + range;
 		return std::string();
 	};
 	return CLI::Validator(check, range);
