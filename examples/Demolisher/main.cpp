@@ -18,6 +18,8 @@ struct Options
 		app.add_flag("--list", list, "Name scenes, joints and solvers, and end");
 		app.add_flag("--headless", isHeadless,
 					 "No window: the autopilot drives; summary.json, joints.csv and pictures are left");
+		app.add_flag("--figure-11", figure11,
+					 "The paper's Figure 11, headless: three states, each a picture and a summary");
 		app.add_option("--out", headless.out, "Directory for what a headless run leaves")->capture_default_str();
 		app.add_option("--seconds", headless.seconds, "Longest simulated time of a headless run [s]")
 			->capture_default_str()
@@ -34,7 +36,7 @@ struct Options
 
 	ep::DemolisherOptions scene;
 	ep::HeadlessSettings headless;
-	bool list = false, isHeadless = false;
+	bool list = false, isHeadless = false, figure11 = false;
 	std::string screenshot;
 	double after = 9;
 	std::string camera = "chase";
@@ -87,6 +89,8 @@ int main(int argc, char** argv)
 	{
 		if (options.list)
 			std::cout << ep::DemolisherOptions::list();
+		else if (options.figure11)
+			ep::runFigure11(options.headless);
 		else if (!options.isHeadless)
 			return runWindow(options);
 		else
