@@ -6,6 +6,7 @@
 
 #include "DemolisherScene.h"
 #include "DirectSolver.h"
+#include "Figure11.h"
 #include "Precision.h"
 #include "Summary.h"
 
@@ -184,6 +185,103 @@ TEST(Demolisher, WeakBridgeFallsAndNothingGoesAstray)
 		EXPECT_GT(double(block->getCenterOfMassPosition().y()), 0);
 		EXPECT_LT(double(block->getCenterOfMassPosition().length()), 40);
 	}
+}
+
+TEST(Demolisher, Figure11sThreeStates)
+{
+	Demolisher demolisher(Figure11::settings());
+	Figure11 figure(demolisher);
+	const auto count = [&demolisher](Scene scene, const char* state)
+	{
+		int n = 0;
+		for (const btElasticPlasticJoint* joint : demolisher.structure(scene)->joints())
+			n += (state == std::string("broken") ? joint->isBroken() : joint->hasYielded()) ? 1 : 0;
+		return n;
+	};
+
+	// (a) Nothing has happened; the gate hangs visibly.
+	ASSERT_TRUE(figure.reach(Figure11::INITIAL));
+	EXPECT_EQ(demolisher.summary().yielded, 0);
+	EXPECT_GT(double(demolisher.gate()->sag()), .15);
+
+	// (b) Once over it: it stands, with plastic strain; gate and fence are lightly damaged.
+	ASSERT_TRUE(figure.reach(Figure11::CROSSED));
+	EXPECT_TRUE(demolisher.summary().crossed);
+	EXPECT_EQ(demolisher.summary().broken, 0);
+	for (Scene scene : {Scene::Gate, Scene::Fence, Scene::Bridge})
+		EXPECT_GT(count(scene, "yielded"), 0) << nameOf(scenes(), scene);
+	EXPECT_GT(demolisher.summary().sag, 2 * double(demolisher.bridge()->beamSag(10)));
+	EXPECT_LT(demolisher.summary().sag, 1);
+
+	// (c) Two joints broken, those at the bridge's ends; its deck lies on the ground with its middle.
+	ASSERT_TRUE(figure.reach(Figure11::FALLEN));
+	EXPECT_EQ(demolisher.summary().broken, 2);
+	EXPECT_EQ(count(Scene::Bridge, "broken"), 2);
+	EXPECT_TRUE(demolisher.bridge()->deck().nodes().front()->isBroken());
+	EXPECT_TRUE(demolisher.bridge()->deck().nodes().back()->isBroken());
+	EXPECT_GT(demolisher.summary().sag, 2.5);
+	EXPECT_TRUE(isFinite(demolisher));
+}
+
+TEST(Demolisher, TenMinutesOfStandingStill)
+{
+	for (bool sleeps : {true, false})
+	{
+		SCOPED_TRACE(sleeps ? "asleep" : "awake");
+		DemolisherSettings settings;
+		if (!sleeps)
+			settings.sleepSpeed = 0;
+		Demolisher demolisher(settings);
+		stand(demolisher, 30);
+		std::vector<btVector3> places;
+		for (const auto& body : demolisher.world().bodies())
+			places.push_back(body->getCenterOfMassPosition());
+		// Awake every step costs what it costs: a tenth of the time shows a creep ten times smaller.
+		stand(demolisher, sleeps ? 570 : 57);
+		double most = 0;
+		for (size_t i = 0; i < places.size(); ++i)
+			most = std::max(most,
+							double((demolisher.world().bodies()[i]->getCenterOfMassPosition() - places[i]).length()));
+		const DemolisherSummary s = demolisher.summary();
+		EXPECT_EQ(s.yielded, 0);
+		EXPECT_EQ(s.plasticEnergy, 0);
+		if (sleeps)
+		{
+			EXPECT_EQ(most, 0);
+			int dynamic = 0;
+			for (const auto& body : demolisher.world().bodies())
+				dynamic += body->isStaticObject() ? 0 : 1;
+			EXPECT_EQ(s.asleep, dynamic);
+		}
+		else
+			// What still swings after 30 s, and rounding.
+			EXPECT_LT(most, 1e-3);
+	}
+}
+
+TEST(Demolisher, WhatSleepsWakesWhenTheVehicleComes)
+{
+	Demolisher demolisher(only(Scene::Bridge));
+	stand(demolisher, 30);
+	EXPECT_GT(demolisher.summary().asleep, 12);
+	for (int i = 0; i < 60 * 30 && !demolisher.autopilot().hasArrived(); ++i)
+		demolisher.stepByAutopilot();
+	EXPECT_TRUE(demolisher.summary().crossed);
+	EXPECT_GE(demolisher.summary().yielded, 2);
+}
+
+TEST(Demolisher, VehicleSleepsOnTheBridgeAndTheBridgeKeepsItsSag)
+{
+	DemolisherSettings settings = only(Scene::Bridge);
+	settings.bridge.steelShare = btScalar(.05);
+	Demolisher demolisher(settings);
+	demolisher.vehicle().chassis().translate(btVector3(-settings.startOf(Scene::Bridge), settings.bridge.height, 0));
+	stand(demolisher, 10);
+	const double sag = demolisher.summary().sag;
+	stand(demolisher, 50);
+	EXPECT_EQ(demolisher.summary().asleep, 13);
+	// It swung through 1 cm or so at 10 s.
+	EXPECT_NEAR(demolisher.summary().sag, sag, .01);
 }
 
 TEST(Demolisher, SpeedIsLimited)

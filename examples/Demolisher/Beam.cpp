@@ -41,8 +41,9 @@ btElasticPlasticJoint* Beam::join(World& world, btRigidBody& a, btRigidBody& b, 
 	const BeamSettings& s = m_settings;
 	const btScalar before = atSupport && node == 0 ? 0 : blockLength(),
 				   after = atSupport && node > 0 ? 0 : blockLength();
+	const btScalar hinge = atSupport && s.endHingeLength > 0 ? s.endHingeLength : s.hingeLength;
 	const btElasticPlasticCapacity capacity =
-		btElasticPlasticCapacity::fromMember(s.material, s.section, before, after, s.hingeLength);
+		btElasticPlasticCapacity::fromMember(s.material, s.section, before, after, hinge);
 	btElasticPlasticJoint* const joint = world.joint(a, b, along(node * blockLength()), capacity);
 	joint->setName((m_name + " " + std::to_string(node)).c_str());
 	m_nodes[node] = joint;

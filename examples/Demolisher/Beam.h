@@ -32,6 +32,7 @@ struct BeamSettings
 	btElasticPlasticSection section;                       ///< that carries the load
 	btElasticPlasticMaterial material;
 	btScalar hingeLength = 0;               ///< over which plastic bending spreads, 0: from joint to joint
+	btScalar endHingeLength = 0;            ///< the same at a support, 0: as hingeLength
 	btScalar mode = MODE_OF_CANTILEVER;     ///< that is damped
 	btScalar dampingRatio = btScalar(.02);  ///< of that mode
 	btScalar friction = btScalar(.8);

@@ -24,6 +24,8 @@ Bridge::Bridge(World& world, const Materials& materials, const BridgeSettings& s
 	deck.section = btElasticPlasticSection::rectangle(s.width, s.thickness);
 	deck.material = materials.mixed(s.steelShare);
 	deck.hingeLength = s.hingeLength;
+	// A support does not bend: there it spreads to one side only.
+	deck.endHingeLength = s.hingeLength / 2;
 	deck.mode = MODE_CLAMPED_AT_BOTH_ENDS;
 	deck.dampingRatio = s.dampingRatio;
 	deck.friction = FRICTION;

@@ -19,9 +19,8 @@ struct BridgeSettings
 
 	bool slidingEnd = true;  ///< the right end is free to slide lengthwise
 
-	btScalar steelShare = btScalar(.027);  ///< of the section; spread over it evenly, it carries all load
-	btScalar hingeLength =
-		btScalar(.4);  ///< over which plastic bending spreads, about half of the deck's thickness [m]
+	btScalar steelShare = btScalar(.027);   ///< of the section; spread over it evenly, it carries all load
+	btScalar hingeLength = btScalar(.8);    ///< over which plastic bending spreads, the deck's thickness [m]
 	btScalar dampingRatio = btScalar(.02);  ///< of the deck's first bending mode
 };
 

@@ -32,17 +32,18 @@ bool DemolisherSettings::has(Scene scene) const
 	return std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
 }
 
+btScalar DemolisherSettings::rampFoot() const { return bridge.span / 2 + bridge.supportLength + bridge.rampLength; }
+
 btScalar DemolisherSettings::placeOf(Scene scene) const
 {
-	const btScalar foot = bridge.span / 2 + bridge.supportLength + bridge.rampLength;
 	switch (scene)
 	{
 		case Scene::Gate:
-			return -foot - 36;
+			return -rampFoot() - 14;
 		case Scene::Fence:
-			return foot + 36;
+			return rampFoot() + 26;
 		case Scene::Rod:
-			return foot + 70;
+			return rampFoot() + 60;
 		case Scene::Bridge:
 			break;
 	}
@@ -53,7 +54,7 @@ btScalar DemolisherSettings::startOf(Scene scene) const
 {
 	if (scene != Scene::Bridge)
 		return placeOf(scene) - 25;
-	return -(bridge.span / 2 + bridge.supportLength + bridge.rampLength + 18);
+	return -rampFoot() - (has(Scene::Gate) ? 5 : 18);
 }
 
 std::vector<Scene> DemolisherSettings::onTheWay() const
@@ -69,7 +70,7 @@ Route DemolisherSettings::actualRoute() const
 		return route;
 	Leg leg;
 	const Scene last = onTheWay().back();
-	leg.to = last == Scene::Bridge ? -startOf(last) : placeOf(last) + 25;
+	leg.to = last == Scene::Bridge ? rampFoot() + 18 : placeOf(last) + 25;
 	leg.speed = speed;
 	return {leg};
 }
@@ -164,7 +165,7 @@ DemolisherSummary Demolisher::summary() const
 	s.sag = bridge() ? double(bridge()->sag()) : 0;
 	s.vehicle = m_vehicle.pose().getOrigin();
 	s.speed = double(m_vehicle.speed());
-	s.crossed = bridge() && s.vehicle.x() > -m_settings.startOf(Scene::Bridge) - 18;
+	s.crossed = bridge() && s.vehicle.x() > m_settings.rampFoot();
 	s.time = m_time;
 	s.realTimeFactor = m_wallTime > 0 ? s.time / m_wallTime : 0;
 	return s;

@@ -48,6 +48,9 @@ struct DemolisherSettings
 	/// In the order of the way along x.
 	std::vector<Scene> onTheWay() const;
 
+	/// Where the bridge's ramps meet the ground, x and -x [m].
+	btScalar rampFoot() const;
+
 	/// Its middle, and where the vehicle starts for it, x [m].
 	btScalar placeOf(Scene scene) const;
 	btScalar startOf(Scene scene) const;

@@ -28,13 +28,27 @@ void DemolisherScene::step(const Controls& controls)
 		m_demolisher->stepByAutopilot();
 	else
 		m_demolisher->step(controls);
+	m_history.step(*m_demolisher);
 }
 
 void DemolisherScene::restart()
 {
 	m_demolisher.reset(new Demolisher(m_settings));
+	m_history.clear();
+	if (m_history.joint() == 0 && m_demolisher->bridge())
+		m_history.follow(m_demolisher->book().numberOf(*m_demolisher->bridge()->joints().front()), BT_EP_BENDING_Z);
 	if (!m_settings.has(m_looksAt))
 		m_looksAt = m_settings.onTheWay().front();
+}
+
+void DemolisherScene::jump(int number)
+{
+	const Scene scene = scenes()[size_t(number)].value;
+	if (!m_settings.has(scene))
+		return;
+	m_demolisher->jumpTo(scene);
+	m_looksAt = scene;
+	m_autopilot = false;
 }
 
 void DemolisherScene::key(char key)

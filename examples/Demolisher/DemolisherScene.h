@@ -1,6 +1,7 @@
 #ifndef EP_DEMOLISHER_SCENE_H
 #define EP_DEMOLISHER_SCENE_H
 
+#include "JointHistory.h"
 #include "Parts.h"
 #include "ViewedScene.h"
 
@@ -10,7 +11,10 @@ namespace ep
 class DemolisherScene : public ViewedScene
 {
 public:
-	explicit DemolisherScene(const DemolisherSettings& settings) : m_settings(settings) { restart(); }
+	explicit DemolisherScene(const DemolisherSettings& settings) : m_asGiven(settings), m_settings(settings)
+	{
+		restart();
+	}
 
 	Demolisher& demolisher() { return *m_demolisher; }
 	const Demolisher& demolisher() const { return *m_demolisher; }
@@ -30,13 +34,26 @@ public:
 	bool isDriven() const override { return true; }
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
+	void jump(int number) override;
+	std::vector<std::string> panels() const override { return {"Demolisher", "Joints"}; }
+	void panel(size_t number, Panel& panel) override;
 
 private:
+	void dashboard(Panel& panel);
+	void jointTable(Panel& panel);
+	void jointPlots(Panel& panel);
+	/// \return whether the scene has to be built anew
+	bool methodSettings(Panel& panel);
+	bool buildSettings(Panel& panel);
+	void view(Panel& panel);
+
+	const DemolisherSettings m_asGiven;
 	DemolisherSettings m_settings;
 	std::unique_ptr<Demolisher> m_demolisher;
 	bool m_autopilot = false;
 	Scene m_looksAt = Scene::Bridge;
 	PartStyle m_style;
+	JointHistory m_history;  ///< of the joint that a person has chosen
 };
 }  // namespace ep
 

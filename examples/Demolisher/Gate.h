@@ -11,7 +11,7 @@ struct GateSettings
 	btScalar length = 6;                 ///< of the boom, across the lane [m]
 	btScalar thickness = btScalar(.06);  ///< of its square section: so slender that its own weight bends it visibly [m]
 	btScalar height = btScalar(1.3);     ///< above the ground [m]
-	btScalar hingeLength = btScalar(.3);  ///< over which plastic bending spreads [m]
+	btScalar hingeLength = btScalar(.6);  ///< over which plastic bending spreads [m]
 	bool twoSupports = false;             ///< a box at either end
 	btScalar box = btScalar(1.6);         ///< edge length of the concrete cube that holds it [m]
 };

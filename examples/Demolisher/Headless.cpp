@@ -5,7 +5,9 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "Figure11.h"
 #include "Summary.h"
+#include "pictureView.h"
 #ifdef EP_WITH_PICTURES
 #include "pictureRaster.h"
 #endif
@@ -29,17 +31,16 @@ std::string writeFile(const std::string& directory, const std::string& name, con
 	return file;
 }
 
-void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name, bool chase)
+void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name,
+				 const Camera& camera)
 {
 #ifdef EP_WITH_PICTURES
 	const Drawing drawing = scene.draw();
-	const float aspect = float(headless.width) / float(headless.height);
-	const Camera camera = chase ? chaseCamera(drawing.subject) : sideCamera(scene.centre(), scene.extent(), aspect);
 	const std::string file = (std::filesystem::path(headless.out) / (name + ".png")).string();
 	writePng(file, drawPicture({drawing.parts, camera, drawing.skins}, headless.width, headless.height));
 	std::printf("  picture %s\n", file.c_str());
 #else
-	(void)scene, (void)headless, (void)name, (void)chase;
+	(void)scene, (void)headless, (void)name, (void)camera;
 #endif
 }
 
@@ -60,7 +61,14 @@ DemolisherSummary runHeadless(const DemolisherSettings& settings, const Headless
 	scene.setAutopilot(true);
 	const Demolisher& demolisher = scene.demolisher();
 	RunLog log(demolisher);
-	takePicture(scene, headless, "1-start", true);
+	const auto take = [&](const std::string& name, bool chase)
+	{
+		const float aspect = float(headless.width) / float(headless.height);
+		takePicture(
+			scene, headless, name,
+			chase ? chaseCamera(demolisher.vehicle().pose()) : sideCamera(scene.centre(), scene.extent(), aspect));
+	};
+	take("1-start", true);
 	// Each scene when the vehicle is there, then the one at the side of the last.
 	const std::vector<Scene> way = settings.onTheWay();
 	size_t next = 0;
@@ -73,16 +81,40 @@ DemolisherSummary runHeadless(const DemolisherSettings& settings, const Headless
 		if (next < way.size() && demolisher.vehicle().pose().getOrigin().x() > settings.placeOf(way[next]))
 		{
 			scene.lookAt(way[next]);
-			takePicture(scene, headless, std::to_string(next + 2) + "-" + nameOf(scenes(), way[next]), false);
+			take(std::to_string(next + 2) + "-" + nameOf(scenes(), way[next]), false);
 			++next;
 		}
 	}
-	takePicture(scene, headless, std::to_string(way.size() + 2) + "-end", true);
+	take(std::to_string(way.size() + 2) + "-end", true);
 
 	const DemolisherSummary summary = demolisher.summary();
 	tell(summary);
 	std::printf("  joints %s\n", writeFile(headless.out, "joints.csv", log.jointsCsv()).c_str());
 	std::printf("  summary %s\n", writeFile(headless.out, "summary.json", log.summary()).c_str());
 	return summary;
+}
+
+void runFigure11(const HeadlessSettings& headless)
+{
+	makeDirectory(headless.out);
+	DemolisherScene scene(Figure11::settings());
+	Demolisher& demolisher = scene.demolisher();
+	Figure11 figure(demolisher);
+	RunLog log(demolisher);
+	// The gate in front, the bridge behind it, the fence at the end.
+	Camera camera;
+	const btScalar gate = demolisher.settings().placeOf(Scene::Gate);
+	camera.eye = btVector3(gate - 18, 7, 20);
+	camera.target = btVector3(gate + 24, btScalar(1.2), 0);
+	camera.fieldOfView = .5f;
+	for (Figure11::State state : {Figure11::INITIAL, Figure11::CROSSED, Figure11::FALLEN})
+	{
+		if (!figure.reach(state, [&log] { log.step(); }))
+			throw std::runtime_error(std::string("the state of ") + Figure11::name(state) + " was not reached");
+		tell(demolisher.summary());
+		takePicture(scene, headless, Figure11::name(state), camera);
+		const std::string name = std::string(Figure11::name(state)) + ".json";
+		std::printf("  summary %s\n", writeFile(headless.out, name, log.summary()).c_str());
+	}
 }
 }  // namespace ep

@@ -18,15 +18,19 @@ struct HeadlessSettings
 /// Throws std::runtime_error if a file cannot be written.
 DemolisherSummary runHeadless(const DemolisherSettings& settings, const HeadlessSettings& headless);
 
-// What it is made of.
+/// The paper's Figure 11: three pictures, and a summary of each of the three states.
+void runFigure11(const HeadlessSettings& headless);
+
+// What they are made of.
 
 void makeDirectory(const std::string& directory);
 
 /// \return the file's name
 std::string writeFile(const std::string& directory, const std::string& name, const std::string& text);
 
-/// Where a build has libpng: a picture by the chase camera, or by the one at the side.
-void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name, bool chase);
+/// Where a build has libpng.
+void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name,
+				 const Camera& camera);
 
 /// A line on the terminal.
 void tell(const DemolisherSummary& summary);

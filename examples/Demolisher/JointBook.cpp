@@ -13,6 +13,14 @@ const char* JointRecord::state(const JointReading& reading) const
 	return yieldTime >= 0 ? "overloaded" : "intact";
 }
 
+size_t JointBook::numberOf(const btElasticPlasticJoint& joint) const
+{
+	size_t number = 0;
+	while (number < m_records.size() && m_records[number].joint != &joint)
+		++number;
+	return number;
+}
+
 void JointBook::update(double time)
 {
 	// Ours remember; only Bullet's own have to be read.

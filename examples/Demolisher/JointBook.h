@@ -30,6 +30,8 @@ public:
 	void update(double time);
 
 	const std::vector<JointRecord>& records() const { return m_records; }
+	/// In the records, their number if it is not there.
+	size_t numberOf(const btElasticPlasticJoint& joint) const;
 	JointReading read(const JointRecord& record) const { return readJoint(m_world, *record.joint); }
 
 private:

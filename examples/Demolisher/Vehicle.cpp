@@ -69,10 +69,10 @@ Vehicle::Vehicle(World& world, const VehicleSettings& settings, const btTransfor
 	resetSuspension();
 	for (int i = 0; i < getNumWheels(); ++i)
 		updateWheelTransform(i, false);
-	m_world.bullet().addAction(this);
+	m_world.beforeSubsteps([this](btScalar dt) { updateVehicle(dt); });
 }
 
-Vehicle::~Vehicle() { m_world.bullet().removeAction(this); }
+Vehicle::~Vehicle() { m_world.beforeSubsteps(nullptr); }
 
 void Vehicle::place(const btTransform& pose)
 {
@@ -162,16 +162,23 @@ bool Vehicle::sleeps()
 {
 	const btScalar slow = m_chassis.getLinearSleepingThreshold();
 	const bool moves = m_chassis.getLinearVelocity().length2() > slow * slow;
+	btScalar still = m_chassis.getDeactivationTime();  // for so long all have been slow enough
 	for (btRigidBody* ground : m_ground)
 	{
-		if (!ground || ground->getInvMass() == 0)
+		if (!ground || ground->isStaticObject())
 			continue;
 		// A ground that moves wants the vehicle's weight; one that sleeps has it, until the vehicle moves.
 		if (ground->isActive())
 			m_chassis.activate();
 		else if (moves)
 			ground->activate();
+		still = btMin(still, ground->getDeactivationTime());
 	}
+	// So they fall asleep in the same step.
+	m_chassis.setDeactivationTime(still);
+	for (btRigidBody* ground : m_ground)
+		if (ground && !ground->isStaticObject() && ground->isActive())
+			ground->setDeactivationTime(still);
 	return !m_chassis.isActive();
 }
 
@@ -233,7 +240,6 @@ void Vehicle::applyImpulse(int wheel, const btVector3& impulse)
 void Vehicle::applyDrag(btScalar step)
 {
 	const btVector3& v = m_chassis.getLinearVelocity();
-	// An impulse: forces that an action applies are cleared before the next step.
 	m_chassis.applyCentralImpulse(v * (-m_settings.airDrag * v.length() * step));
 }
 }  // namespace ep

@@ -18,8 +18,10 @@ struct Options
 		app.add_flag("--list", list, "Name scenes, joints and solvers, and end");
 		app.add_flag("--headless", isHeadless,
 					 "No window: the autopilot drives; summary.json, joints.csv and pictures are left");
+		app.add_flag("--figure-11", figure11,
+					 "The paper's Figure 11, headless: three states, each a picture and a summary");
 		app.add_option("--out", headless.out, "Directory for what a headless run leaves")->capture_default_str();
-		app.add_option("--seconds", headless.seconds, "Longest simulated time of a headless run [s]")
+		app.add_option("--seconds", headless.seconds, "Longest simulated time of a headless run, length of a film [s]")
 			->capture_default_str()
 			->check(ep::optionRange(0.1, 36000));
 		app.add_option("--screenshot", screenshot,
@@ -30,13 +32,25 @@ struct Options
 		app.add_option("--camera", camera, "Camera that the window begins with")
 			->capture_default_str()
 			->check(CLI::IsMember({"chase", "free", "side"}));
+		app.add_option("--record", record,
+					   "Open the window, let the autopilot drive for --seconds, make a film (MP4) of it, and end");
+		app.add_option("--text-size", textSize, "Height of the window's text [pixels], 0: by the screen's resolution")
+			->capture_default_str()
+			->check(ep::optionRange(0, 100));
+		app.add_option("--size", size, "Of the window, width and height [pixels]")
+			->capture_default_str()
+			->expected(2)
+			->check(ep::optionRange(100, 16384));
+		app.add_flag("--no-panel", noPanel, "The window begins without its panel");
 	}
 
 	ep::DemolisherOptions scene;
 	ep::HeadlessSettings headless;
-	bool list = false, isHeadless = false;
-	std::string screenshot;
-	double after = 9;
+	bool list = false, isHeadless = false, figure11 = false;
+	std::string screenshot, record;
+	double after = 9, textSize = 0;
+	bool noPanel = false;
+	std::vector<int> size = {1280, 720};
 	std::string camera = "chase";
 };
 
@@ -62,7 +76,13 @@ int runWindow(const Options& o)
 		viewer.screenshot = o.screenshot;
 		viewer.screenshotTime = o.after;
 		viewer.camera = o.camera;
-		scene.setAutopilot(!o.screenshot.empty());
+		viewer.width = o.size[0];
+		viewer.height = o.size[1];
+		viewer.record = o.record;
+		viewer.recordTime = o.headless.seconds;
+		viewer.textSize = float(o.textSize);
+		viewer.panel = !o.noPanel;
+		scene.setAutopilot(!o.screenshot.empty() || !o.record.empty());
 		ep::runViewer(scene, viewer);
 		return 0;
 	}
@@ -70,8 +90,8 @@ int runWindow(const Options& o)
 #else
 	const char* const why = "built without the viewer";
 #endif
-	if (!o.screenshot.empty())
-		throw std::runtime_error(std::string("no screenshot of the window: ") + why);
+	if (!o.screenshot.empty() || !o.record.empty())
+		throw std::runtime_error(std::string("no picture or film of the window: ") + why);
 	std::cout << "No window: " << why << ". Running headless" << std::endl;
 	ep::runHeadless(o.scene.settings(), o.headless);
 	return 0;
@@ -87,6 +107,8 @@ int main(int argc, char** argv)
 	{
 		if (options.list)
 			std::cout << ep::DemolisherOptions::list();
+		else if (options.figure11)
+			ep::runFigure11(options.headless);
 		else if (!options.isHeadless)
 			return runWindow(options);
 		else

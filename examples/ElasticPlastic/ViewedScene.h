@@ -3,6 +3,7 @@
 
 #include "Controls.h"
 #include "Drawing.h"
+#include "Panel.h"
 
 namespace ep
 {
@@ -24,6 +25,11 @@ public:
 
 	/// Whether controls do something.
 	virtual bool isDriven() const { return false; }
+	/// Titles of what stands beside the picture: at most two, on the left and on the right.
+	virtual std::vector<std::string> panels() const { return {}; }
+	virtual void panel(size_t, Panel&) {}
+	/// F1 to F4, from 0 on.
+	virtual void jump(int) {}
 	/// A key that the viewer has no use for.
 	virtual void key(char) {}
 	/// Help on such keys, a line each.

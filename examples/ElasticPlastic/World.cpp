@@ -205,6 +205,8 @@ void World::step(btScalar dt, int substeps)
 
 void World::substep(btScalar dt)
 {
+	if (m_beforeSubstep)
+		m_beforeSubstep(dt);
 	for (BulletJoint* joint : m_whole)
 		joint->beforeStep(dt);
 	m_world->stepSimulation(dt, 0);

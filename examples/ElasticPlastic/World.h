@@ -1,6 +1,7 @@
 #ifndef EP_WORLD_H
 #define EP_WORLD_H
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <vector>
@@ -74,6 +75,10 @@ public:
 	/// bodies would not collide.
 	void step(btScalar dt, int substeps = 1);
 
+	/// Has something done before each substep: what pushes bodies then has its share in the solution, and their velocities
+	/// after the substep are true ones. (What an action pushes waits for the next one, and looks like motion.) Null: nothing.
+	void beforeSubsteps(std::function<void(btScalar dt)> act) { m_beforeSubstep = std::move(act); }
+
 	/// Kinetic energy of all bodies [J].
 	double kineticEnergy() const;
 
@@ -96,6 +101,7 @@ private:
 	std::map<const btElasticPlasticJoint*, std::unique_ptr<BulletJoint>> m_inPlaceOf;
 	std::vector<BulletJoint*> m_whole;  // of these, those that hold
 	std::vector<btElasticPlasticJoint*> m_joints;
+	std::function<void(btScalar)> m_beforeSubstep;
 };
 }  // namespace ep
 

@@ -1,5 +1,7 @@
 #include "viewer.h"
 
+#include <algorithm>
+
 #include "viewerGl.h"
 #include "viewerSession.h"
 
@@ -16,7 +18,10 @@ int openWindow(const ViewerOptions& options, const std::string& title)
 	glutInit(&argc, argv);
 	glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_CONTINUE_EXECUTION);
 	glutSetOption(GLUT_MULTISAMPLE, 4);
-	glutInitWindowSize(options.width, options.height);
+	// As large as asked, where the screen has room.
+	const int screenWidth = glutGet(GLUT_SCREEN_WIDTH), screenHeight = glutGet(GLUT_SCREEN_HEIGHT);
+	glutInitWindowSize(screenWidth > 0 ? std::min(options.width, screenWidth) : options.width,
+					   screenHeight > 0 ? std::min(options.height, screenHeight) : options.height);
 	const unsigned mode = GLUT_RGBA | GLUT_DOUBLE | GLUT_DEPTH;
 	glutInitDisplayMode(mode | GLUT_MULTISAMPLE);
 	if (!glutGet(GLUT_DISPLAY_MODE_POSSIBLE))
@@ -35,6 +40,7 @@ void setCallbacks()
 	glutSpecialUpFunc([](int k, int, int) { theViewer->key(ViewerKeys::SPECIAL + k, false); });
 	glutMouseFunc([](int button, int state, int x, int y) { theViewer->mouseButton(button, state, x, y); });
 	glutMotionFunc([](int x, int y) { theViewer->mouseMove(x, y); });
+	glutPassiveMotionFunc([](int x, int y) { theViewer->mouseMove(x, y); });
 }
 }  // namespace
 

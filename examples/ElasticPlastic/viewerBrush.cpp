@@ -1,9 +1,9 @@
 #include "viewerBrush.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
-
-#include "viewerGl.h"
 
 namespace ep
 {
@@ -11,54 +11,43 @@ namespace brush
 {
 namespace
 {
-void* const FONT = GLUT_BITMAP_HELVETICA_18;
+const ImU32 DARK = IM_COL32(10, 15, 23, 158), WHITE = IM_COL32(245, 247, 250, 255);
+
+ImVec2 at(int x, int y) { return ImVec2(float(x), float(y)); }
+}  // namespace
+
+unsigned shown(const Colour& linearLight, float alpha)
+{
+	const auto value = [](float light) { return std::pow(std::min(1.f, light * 1.3f), 1 / 2.2f); };
+	return ImGui::ColorConvertFloat4ToU32(
+		ImVec4(value(linearLight.r), value(linearLight.g), value(linearLight.b), alpha));
 }
 
-void begin(int width, int height)
+int scaled(int length) { return int(float(length) * ImGui::GetFontSize() / 18 + .5f); }
+
+void rectangle(int x, int y, int width, int height, unsigned colour)
 {
-	glViewport(0, 0, width, height);
-	glMatrixMode(GL_PROJECTION);
-	glLoadIdentity();
-	glOrtho(0, width, height, 0, -1, 1);
-	glMatrixMode(GL_MODELVIEW);
-	glLoadIdentity();
-	glDisable(GL_DEPTH_TEST);
-	glEnable(GL_BLEND);
-	glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	ImGui::GetBackgroundDrawList()->AddRectFilled(at(x, y), at(x + width, y + height), colour);
 }
 
-void colour(const Colour& linearLight)
+void strip(float left, float leftTop, float leftBottom, float right, float rightTop, float rightBottom, unsigned colour)
 {
-	const auto shown = [](float light) { return std::pow(std::min(1.f, light * 1.3f), 1 / 2.2f); };
-	glColor3f(shown(linearLight.r), shown(linearLight.g), shown(linearLight.b));
+	ImDrawList& list = *ImGui::GetBackgroundDrawList();
+	// Smoothed edges would show between neighbours.
+	const ImDrawListFlags flags = list.Flags;
+	list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+	list.AddQuadFilled(ImVec2(left, leftTop), ImVec2(right, rightTop), ImVec2(right, rightBottom),
+					   ImVec2(left, leftBottom), colour);
+	list.Flags = flags;
 }
 
-void rectangle(int x, int y, int width, int height)
-{
-	glBegin(GL_QUADS);
-	glVertex2i(x, y);
-	glVertex2i(x, y + height);
-	glVertex2i(x + width, y + height);
-	glVertex2i(x + width, y);
-	glEnd();
-}
-
-void panel(int x, int y, int width, int height)
-{
-	glColor4f(.04f, .06f, .09f, .62f);
-	rectangle(x, y, width, height);
-}
+void panel(int x, int y, int width, int height) { rectangle(x, y, width, height, DARK); }
 
 void write(int x, int y, const std::string& text)
 {
-	glColor3f(.96f, .97f, .98f);
-	glRasterPos2i(x, y);
-	glutBitmapString(FONT, reinterpret_cast<const unsigned char*>(text.c_str()));
+	ImGui::GetBackgroundDrawList()->AddText(at(x, y - int(ImGui::GetFont()->Ascent)), WHITE, text.c_str());
 }
 
-int textWidth(const std::string& text)
-{
-	return glutBitmapLength(FONT, reinterpret_cast<const unsigned char*>(text.c_str()));
-}
+int textWidth(const std::string& text) { return int(ImGui::CalcTextSize(text.c_str()).x + .5f); }
 }  // namespace brush
 }  // namespace ep

@@ -6,14 +6,11 @@
 
 #include "plot.h"
 #include "viewerBrush.h"
-#include "viewerGl.h"
 
 namespace ep
 {
 namespace
 {
-const int LEFT = 52, RIGHT = 40, TOP = 36, BOTTOM = 32, TICK_TEXT = 6;
-
 /// From 0 to a round number, with a handful of ticks.
 struct Scale
 {
@@ -48,38 +45,35 @@ std::vector<std::vector<float>> edges(const Chart& chart)
 
 void drawChart(const Chart& chart, const Tile& tile)
 {
+	const int left = brush::scaled(52), right = brush::scaled(40), top = brush::scaled(36), bottom = brush::scaled(32),
+			  tickText = brush::scaled(6);
 	brush::panel(tile.x, tile.y, tile.width, tile.height);
-	brush::write(tile.x + LEFT, tile.y + TOP - 12, chart.title);
-	const int width = tile.width - LEFT - RIGHT, height = tile.height - TOP - BOTTOM;
+	brush::write(tile.x + left, tile.y + top - brush::scaled(12), chart.title);
+	const int width = tile.width - left - right, height = tile.height - top - bottom;
 	if (chart.x.empty() || width < 1 || height < 1)
 		return;
 
 	const std::vector<std::vector<float>> sums = edges(chart);
 	const Scale xs(chart.x.back(), 4), ys(*std::max_element(sums.back().begin(), sums.back().end()), 4);
-	const auto px = [&](float x) { return float(tile.x + LEFT) + x / xs.end * float(width); };
-	const auto py = [&](float y) { return float(tile.y + TOP + height) - y / ys.end * float(height); };
+	const auto px = [&](float x) { return float(tile.x + left) + x / xs.end * float(width); };
+	const auto py = [&](float y) { return float(tile.y + top + height) - y / ys.end * float(height); };
 
 	for (size_t band = 0; band < chart.bands.size(); ++band)
 	{
-		brush::colour(chart.bands[band].colour);
-		glBegin(GL_QUAD_STRIP);
-		for (size_t i = 0; i < chart.x.size(); ++i)
-		{
-			glVertex2f(px(chart.x[i]), py(sums[band][i]));
-			glVertex2f(px(chart.x[i]), py(sums[band + 1][i]));
-		}
-		glEnd();
+		const unsigned colour = brush::shown(chart.bands[band].colour, 1);
+		for (size_t i = 0; i + 1 < chart.x.size(); ++i)
+			brush::strip(px(chart.x[i]), py(sums[band + 1][i]), py(sums[band][i]), px(chart.x[i + 1]),
+						 py(sums[band + 1][i + 1]), py(sums[band][i + 1]), colour);
 	}
 	for (float y = 0; y <= ys.end * 1.001f; y += ys.step)
 	{
-		glColor4f(1, 1, 1, .25f);
-		brush::rectangle(int(px(0)), int(py(y)), width, 1);
-		brush::write(int(px(0)) - TICK_TEXT - brush::textWidth(number(y)), int(py(y)) + TICK_TEXT, number(y));
+		brush::rectangle(int(px(0)), int(py(y)), width, 1, brush::shown({1, 1, 1}, .25f));
+		brush::write(int(px(0)) - tickText - brush::textWidth(number(y)), int(py(y)) + tickText, number(y));
 	}
 	for (float x = 0; x <= xs.end * 1.001f; x += xs.step)
 	{
 		const std::string text = number(x) + (x + xs.step > xs.end * 1.001f ? " " + chart.xUnit : "");
-		brush::write(int(px(x)) - brush::textWidth(text) / 2, int(py(0)) + 22, text);
+		brush::write(int(px(x)) - brush::textWidth(text) / 2, int(py(0)) + brush::scaled(22), text);
 	}
 }
 }  // namespace ep

@@ -39,6 +39,19 @@ ViewerKeys::Command ViewerKeys::key(int key, bool down)
 			return HELP;
 		case SPECIAL + GLUT_KEY_F12:
 			return SCREENSHOT;
+		case SPECIAL + GLUT_KEY_F1:
+		case SPECIAL + GLUT_KEY_F2:
+		case SPECIAL + GLUT_KEY_F3:
+		case SPECIAL + GLUT_KEY_F4:
+			return Command(JUMP + key - SPECIAL - GLUT_KEY_F1);
+		case 'v':
+			return RECORD;
+		case '[':
+			return SLOWER;
+		case ']':
+			return FASTER;
+		case 'm':
+			return PANEL;
 		case ESCAPE:
 			return QUIT;
 		default:
@@ -63,13 +76,18 @@ Controls ViewerKeys::controls() const
 	return controls;
 }
 
-std::vector<std::string> ViewerKeys::help(bool drive)
+std::vector<std::string> ViewerKeys::help(bool drive, bool panel)
 {
 	std::vector<std::string> lines;
 	if (drive)
-		lines = {"W S  or arrows: drive, brake and reverse", "A D  or arrows: steer", "Space  handbrake"};
-	for (const char* line : {"P  pause,  N or O  single step", "R  restart", "C  camera,  mouse  turns it, wheel zooms",
-							 "F12  screenshot", "Esc  quit", "H  help on or off"})
+		lines = {"W S  or arrows: drive, brake and reverse", "A D  or arrows: steer", "Space  handbrake",
+				 "F1 F2 F3 F4  to the start of a scene"};
+	for (const char* line : {"P  pause,  N or O  single step", "[  slower,  ]  faster", "R  restart",
+							 "C  camera,  mouse  turns it, wheel zooms"})
+		lines.emplace_back(line);
+	if (panel)
+		lines.emplace_back("M  panel on or off");
+	for (const char* line : {"F12  screenshot,  V  film on or off", "Esc  quit", "H  help on or off"})
 		lines.emplace_back(line);
 	return lines;
 }

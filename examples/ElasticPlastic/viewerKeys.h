@@ -24,6 +24,12 @@ public:
 		CAMERA,
 		HELP,
 		SCREENSHOT,
+		RECORD,
+		SLOWER,
+		FASTER,
+		PANEL,
+		JUMP,  ///< and one each for F2 to F4
+		JUMP_LAST = JUMP + 3,
 		QUIT
 	};
 
@@ -34,8 +40,9 @@ public:
 	static bool drives(int key);
 
 	Controls controls() const;
-	/// \param drive  whether there is something to drive
-	static std::vector<std::string> help(bool drive);
+	/// \param drive  whether there is something to drive, and places to jump to
+	/// \param panel  whether there is one
+	static std::vector<std::string> help(bool drive, bool panel);
 
 private:
 	bool isDown(int letter, int arrow) const;

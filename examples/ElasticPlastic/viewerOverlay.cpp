@@ -9,7 +9,9 @@ namespace ep
 {
 namespace
 {
-const int LINE = 23, MARGIN = 12, SWATCH = 16;
+int line() { return brush::scaled(23); }
+int margin() { return brush::scaled(12); }
+int swatch() { return brush::scaled(16); }
 
 int widest(const std::vector<std::string>& lines)
 {
@@ -21,34 +23,32 @@ int widest(const std::vector<std::string>& lines)
 
 void writeLines(int x, int y, const std::vector<std::string>& lines)
 {
-	brush::panel(x, y, widest(lines) + 2 * MARGIN, int(lines.size()) * LINE + MARGIN);
+	brush::panel(x, y, widest(lines) + 2 * margin(), int(lines.size()) * line() + margin());
 	for (size_t i = 0; i < lines.size(); ++i)
-		brush::write(x + MARGIN, y + int(i + 1) * LINE, lines[i]);
+		brush::write(x + margin(), y + int(i + 1) * line(), lines[i]);
 }
 
 void writeLegend(const std::vector<Drawing::Key>& legend, int height)
 {
-	int width = MARGIN;
+	int width = margin();
 	for (const Drawing::Key& key : legend)
-		width += SWATCH + 6 + brush::textWidth(key.text) + 18;
-	const int y = height - LINE - 2 * MARGIN;
-	brush::panel(MARGIN, y, width, LINE + MARGIN);
-	int x = 2 * MARGIN;
+		width += swatch() + 6 + brush::textWidth(key.text) + 18;
+	const int y = height - line() - 2 * margin();
+	brush::panel(margin(), y, width, line() + margin());
+	int x = 2 * margin();
 	for (const Drawing::Key& key : legend)
 	{
-		brush::colour(key.colour);
-		brush::rectangle(x, y + (LINE + MARGIN - SWATCH) / 2, SWATCH, SWATCH);
-		brush::write(x + SWATCH + 6, y + LINE, key.text);
-		x += SWATCH + 6 + brush::textWidth(key.text) + 18;
+		brush::rectangle(x, y + (line() + margin() - swatch()) / 2, swatch(), swatch(), brush::shown(key.colour, 1));
+		brush::write(x + swatch() + 6, y + line(), key.text);
+		x += swatch() + 6 + brush::textWidth(key.text) + 18;
 	}
 }
 }  // namespace
 
 void drawOverlay(const Overlay& overlay, const ViewerLayout& layout, int width, int height)
 {
-	brush::begin(width, height);
 	const Drawing& drawing = overlay.drawing;
-	writeLines(MARGIN, MARGIN, drawing.text);
+	writeLines(margin(), margin(), drawing.text);
 	if (!drawing.legend.empty())
 		writeLegend(drawing.legend, height);
 	if (!drawing.chart.bands.empty())
@@ -57,8 +57,8 @@ void drawOverlay(const Overlay& overlay, const ViewerLayout& layout, int width, 
 		drawChart(drawing.chart, {c.x, height - c.y - c.height, c.width, c.height});
 	}
 	if (!overlay.help.empty())
-		writeLines(width - widest(overlay.help) - 3 * MARGIN, MARGIN, overlay.help);
+		writeLines(width - widest(overlay.help) - 3 * margin(), margin(), overlay.help);
 	if (!overlay.note.empty())
-		writeLines((width - brush::textWidth(overlay.note)) / 2 - MARGIN, MARGIN, {overlay.note});
+		writeLines((width - brush::textWidth(overlay.note)) / 2 - margin(), margin(), {overlay.note});
 }
 }  // namespace ep

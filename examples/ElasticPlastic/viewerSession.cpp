@@ -5,14 +5,17 @@
 #include <cstdio>
 #include <thread>
 
+#include "viewerBrush.h"
 #include "viewerGl.h"
 #include "viewerOverlay.h"
+#include "viewerPanel.h"
 
 namespace ep
 {
 namespace
 {
-const double MOST_AT_ONCE = 0.25;  // simulated for one picture [s]
+const double MOST_AT_ONCE = 0.25;             // simulated for one picture [s]
+const double SLOWEST = 1. / 64, FASTEST = 4;  // simulated over real time
 
 /// In a tile higher than wide a camera sees as much from side to side as it should see from top to bottom.
 View fitted(View view, const Tile& tile)
@@ -27,8 +30,10 @@ Viewer::Viewer(ViewedScene& scene, const ViewerOptions& options)
 	: m_scene(scene),
 	  m_options(options),
 	  m_renderer(new Renderer),
+	  m_gui(new Gui(options.textSize)),
 	  m_camera(!scene.draw().views.empty()),
-	  m_last(Clock::now())
+	  m_last(Clock::now()),
+	  m_panel(options.panel)
 {
 	if (!options.camera.empty())
 		m_camera.select(options.camera);
@@ -37,6 +42,8 @@ Viewer::Viewer(ViewedScene& scene, const ViewerOptions& options)
 void Viewer::close()
 {
 	m_running = false;
+	m_recorder.reset();
+	m_gui.reset();
 	m_renderer.reset();
 }
 
@@ -56,38 +63,79 @@ void Viewer::frame()
 {
 	const double seconds = passTime();
 	++m_frames;
-	if (m_options.screenshot.empty())
-	{
+	const bool films = !m_options.record.empty();
+	if (films && !m_recorder)
+		startFilm(m_options.record);
+	if (films)
+		simulate(1. / Recorder::PICTURES_PER_SECOND);
+	else if (m_options.screenshot.empty())
 		simulate(seconds);
-		draw(seconds);
-	}
-	else
-	{
-		draw(seconds);
-		// The window is there for certain and has its size.
-		if (m_frames == 3)
-		{
-			save(m_options.screenshot);
-			m_running = false;
-		}
-	}
+	draw(films ? 1. / Recorder::PICTURES_PER_SECOND : seconds);
+	keepPicture();
 	glutSwapBuffers();
+}
+
+/// For a film, and of the window as a whole.
+void Viewer::keepPicture()
+{
+	try
+	{
+		if (m_recorder)
+			m_recorder->add(Renderer::read(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)));
+	}
+	catch (const std::exception& error)
+	{
+		m_recorder.reset();
+		if (!m_options.record.empty())
+			throw;
+		std::fprintf(stderr, "%s\n", error.what());
+	}
+	if (!m_options.record.empty() && m_frames >= int(m_options.recordTime * Recorder::PICTURES_PER_SECOND + .5))
+	{
+		endFilm();
+		m_running = false;
+	}
+	// The window is there for certain and has its size.
+	if (!m_options.screenshot.empty() && m_frames == 3)
+	{
+		save(m_options.screenshot);
+		m_running = false;
+	}
+}
+
+void Viewer::startFilm(const std::string& file)
+{
+	m_recorder.reset(new Recorder(file, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)));
+}
+
+void Viewer::endFilm()
+{
+	m_recorder->finish();
+	m_recorder.reset();
 }
 
 void Viewer::simulate(double seconds)
 {
 	const double step = double(m_scene.stepTime());
 	// A slow machine falls behind real time rather than more and more behind itself.
-	m_owed = m_paused ? 0 : std::min(m_owed + seconds, MOST_AT_ONCE);
-	for (; m_owed >= step; m_owed -= step)
+	m_owed = m_paused ? 0 : std::min(m_owed + seconds * m_tempo, MOST_AT_ONCE);
+	int steps = 0;
+	// A film's pictures are as long as steps are, but for rounding.
+	for (; m_owed > step * (1 - 1e-4); m_owed -= step, ++steps)
 		m_scene.step(m_keys.controls());
+	m_stepRate += (steps / seconds - m_stepRate) * .05;
 }
 
 void Viewer::draw(double seconds)
 {
 	const int width = glutGet(GLUT_WINDOW_WIDTH), height = glutGet(GLUT_WINDOW_HEIGHT);
 	const float aspect = float(width) / float(std::max(1, height));
-	const Drawing drawing = m_scene.draw();
+	m_gui->begin(width, height);
+	const bool panel = m_panel && !m_scene.panels().empty();
+	if (panel)
+		drawPanels(width, height);
+
+	Drawing drawing = m_scene.draw();
 	std::vector<View> views = drawing.views;
 	if (!m_camera.showsViews())
 		views.assign(
@@ -97,8 +145,45 @@ void Viewer::draw(double seconds)
 	glClear(GL_COLOR_BUFFER_BIT);
 	for (size_t i = 0; i < views.size(); ++i)
 		m_renderer->draw(m_camera.showsViews() ? fitted(views[i], layout.views[i]) : views[i], layout.views[i]);
-	drawOverlay({drawing, m_help ? help() : std::vector<std::string>{"H  help"}, m_paused ? "Paused" : ""}, layout,
-				width, height);
+	if (panel)
+		drawing.text.clear();
+	const std::string note = m_recorder && m_options.record.empty() ? "Recording" : m_paused ? "Paused" : "";
+	drawOverlay({drawing, m_help ? help() : std::vector<std::string>{"H  help"}, note}, layout, width, height);
+	m_gui->end();
+}
+
+void Viewer::drawPanels(int width, int height)
+{
+	const float line = float(brush::scaled(18)), panelWidth = 20 * line;
+	const std::vector<std::string> titles = m_scene.panels();
+	for (size_t i = 0; i < titles.size(); ++i)
+	{
+		// Beside the legend below, and the note on help above.
+		const float x = i == 0 ? line / 2 : float(width) - panelWidth - line / 2, y = i == 0 ? line / 2 : 3 * line;
+		ViewerPanel panel(titles[i].c_str(), x, y, panelWidth, float(height) - y - (i == 0 ? 3 : 1) * line);
+		if (i == 0)
+			drawTime(panel);
+		m_scene.panel(i, panel);
+	}
+}
+
+void Viewer::drawTime(Panel& panel)
+{
+	char text[96];
+	std::snprintf(text, sizeof text, "%.0f pictures, %.0f steps a second", m_frameRate, m_stepRate);
+	panel.text(text);
+	if (panel.button(m_paused ? "Go on" : "Pause"))
+		command(ViewerKeys::PAUSE);
+	panel.beside();
+	if (panel.button("Step"))
+		command(ViewerKeys::SINGLE_STEP);
+	panel.beside();
+	if (panel.button("Restart"))
+		command(ViewerKeys::RESTART);
+	panel.beside();
+	if (panel.button("Help"))
+		command(ViewerKeys::HELP);
+	panel.slider("tempo", m_tempo, SLOWEST, FASTEST, "%.3g x");
 }
 
 void Viewer::save(const std::string& file)
@@ -110,7 +195,7 @@ void Viewer::save(const std::string& file)
 
 std::vector<std::string> Viewer::help() const
 {
-	std::vector<std::string> lines = ViewerKeys::help(m_scene.isDriven());
+	std::vector<std::string> lines = ViewerKeys::help(m_scene.isDriven(), !m_scene.panels().empty());
 	for (const std::string& line : m_scene.keyHelp())
 		lines.push_back(line);
 	lines.push_back(std::string("Camera: ") + m_camera.name());
@@ -141,11 +226,28 @@ void Viewer::command(ViewerKeys::Command command)
 		case ViewerKeys::SCREENSHOT:
 			save("screenshot-" + std::to_string(++m_screenshots) + ".png");
 			break;
+		case ViewerKeys::RECORD:
+			if (m_recorder)
+				endFilm();
+			else
+				startFilm("film-" + std::to_string(++m_films) + ".mp4");
+			break;
+		case ViewerKeys::SLOWER:
+			m_tempo = std::max(SLOWEST, m_tempo / 2);
+			break;
+		case ViewerKeys::FASTER:
+			m_tempo = std::min(FASTEST, m_tempo * 2);
+			break;
+		case ViewerKeys::PANEL:
+			m_panel = !m_panel;
+			break;
 		case ViewerKeys::QUIT:
 			m_running = false;
 			break;
 		case ViewerKeys::NOTHING:
 			break;
+		default:
+			m_scene.jump(command - ViewerKeys::JUMP);
 	}
 }
 
@@ -153,6 +255,9 @@ void Viewer::key(int key, bool down)
 {
 	try
 	{
+		// Typing in a field drives nothing; a key that was down before must come up.
+		if (m_gui->key(key, down) && down)
+			return;
 		const ViewerKeys::Command wanted = m_keys.key(key, down);
 		if (wanted != ViewerKeys::NOTHING)
 			command(wanted);
@@ -169,15 +274,17 @@ void Viewer::key(int key, bool down)
 void Viewer::mouseButton(int button, int state, int x, int y)
 {
 	const int wheelUp = 3, wheelDown = 4;
-	if ((button == wheelUp || button == wheelDown) && state == GLUT_DOWN)
+	const bool down = state == GLUT_DOWN, forPanel = m_gui->mouseButton(button, down, x, y);
+	if ((button == wheelUp || button == wheelDown) && down && !forPanel)
 		m_camera.zoom(button == wheelUp ? 1 : -1);
-	m_dragging = button == GLUT_LEFT_BUTTON && state == GLUT_DOWN;
+	m_dragging = button == GLUT_LEFT_BUTTON && down && !forPanel;
 	m_mouseX = x;
 	m_mouseY = y;
 }
 
 void Viewer::mouseMove(int x, int y)
 {
+	m_gui->mouseMove(x, y);
 	if (m_dragging)
 		m_camera.turn(x - m_mouseX, y - m_mouseY);
 	m_mouseX = x;

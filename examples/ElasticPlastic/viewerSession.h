@@ -6,7 +6,9 @@
 
 #include "viewer.h"
 #include "viewerCamera.h"
+#include "viewerGui.h"
 #include "viewerKeys.h"
+#include "viewerRecorder.h"
 #include "viewerRenderer.h"
 
 namespace ep
@@ -36,6 +38,11 @@ private:
 	double passTime();
 	void simulate(double seconds);
 	void draw(double seconds);
+	void drawPanels(int width, int height);
+	void drawTime(Panel& panel);
+	void keepPicture();
+	void startFilm(const std::string& file);
+	void endFilm();
 	void command(ViewerKeys::Command command);
 	void save(const std::string& file);
 	std::vector<std::string> help() const;
@@ -43,13 +50,18 @@ private:
 	ViewedScene& m_scene;
 	ViewerOptions m_options;
 	std::unique_ptr<Renderer> m_renderer;
+	std::unique_ptr<Gui> m_gui;
+	std::unique_ptr<Recorder> m_recorder;
 	ViewerCamera m_camera;
 	ViewerKeys m_keys;
 	Clock::time_point m_last;
 	double m_frameRate = 0;  ///< smoothed [1/s]
+	double m_stepRate = 0;   ///< of the scene, the same
+	double m_tempo = 1;      ///< simulated over real time
 	double m_owed = 0;       ///< real time that the scene has not simulated yet [s]
 	bool m_running = true, m_paused = false, m_help = false, m_dragging = false;
-	int m_mouseX = 0, m_mouseY = 0, m_frames = 0, m_screenshots = 0;
+	bool m_panel;
+	int m_mouseX = 0, m_mouseY = 0, m_frames = 0, m_screenshots = 0, m_films = 0;
 };
 }  // namespace ep
 
