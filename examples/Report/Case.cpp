@@ -4,6 +4,8 @@ namespace ep
 {
 std::string Case::name() const
 {
+	if (problem == STABILITY)
+		return problem + "." + precision;
 	return problem + "." + std::to_string(rate) + "x" + std::to_string(substeps) + "." + precision;
 }
 
@@ -25,6 +27,11 @@ std::vector<Case> casesOf(const std::vector<std::string>& problems, const std::v
 	for (const std::string& problem : problems)
 		for (const std::string& precision : precisions)
 		{
+			if (problem == Case::STABILITY)
+			{
+				cases.push_back({problem, precision});
+				continue;
+			}
 			const Stepped* const begin = quick ? QUICK : FULL;
 			const Stepped* const end = quick ? std::end(QUICK) : std::end(FULL);
 			for (const Stepped* s = begin; s != end; ++s)

@@ -6,9 +6,12 @@
 
 namespace ep
 {
-/// What one process computes: a problem at one step in one precision, by all methods, which take turns.
+/// What one process computes: a problem at one step in one precision, by all methods, which take turns; or, as problem
+/// STABILITY, the stability matrix of a precision.
 struct Case
 {
+	static constexpr const char* STABILITY = "stability";
+
 	std::string problem, precision;  ///< float or double
 	int rate = 60;                   ///< steps per second
 	int substeps = 1;

@@ -10,7 +10,8 @@
 namespace ep
 {
 /// The report as one page, plots inside. \param stamp  names and values: machine, compiler, versions, date
-std::string htmlOf(const std::vector<Record>& records, const std::vector<std::pair<std::string, std::string>>& stamp);
+std::string htmlOf(const std::vector<Record>& records, const std::vector<TrialRecord>& trials,
+				   const std::vector<std::pair<std::string, std::string>>& stamp);
 }  // namespace ep
 
 #endif  // EP_REPORT_HTML_H

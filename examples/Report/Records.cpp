@@ -41,14 +41,14 @@ std::string Record::setting() const
 	return out.str();
 }
 
-json mergeRecords(const std::string& folder)
+Merged mergeRecords(const std::string& folder)
 {
 	std::vector<fs::path> files;
 	for (const auto& entry : fs::directory_iterator(folder))
 		if (entry.path().extension() == ".json")
 			files.push_back(entry.path());
 	std::sort(files.begin(), files.end());
-	json all = json::array();
+	Merged all;
 	for (const fs::path& file : files)
 	{
 		std::ifstream stream(file);
@@ -57,7 +57,7 @@ json mergeRecords(const std::string& folder)
 			throw std::runtime_error("'" + file.string() +
 									 "' is no list of records: delete it, and it is computed again");
 		for (const json& record : records)
-			all.push_back(record);
+			(record.contains("trial") ? all.trials : all.records).push_back(record);
 	}
 	return all;
 }
@@ -88,6 +88,15 @@ std::vector<Record> recordsOf(const json& list)
 		records.push_back(r);
 	}
 	return records;
+}
+
+std::vector<TrialRecord> trialsOf(const json& list)
+{
+	std::vector<TrialRecord> trials;
+	for (const json& j : list)
+		trials.push_back(
+			{j.at("group"), j.at("trial"), j.at("solver"), j.at("joint_class"), j.at("precision"), j.at("complaint")});
+	return trials;
 }
 
 std::string csvOf(const json& list)

@@ -23,11 +23,23 @@ struct Record
 	std::string setting() const;
 };
 
-/// All records in the files of a folder, in the order of the files' names. Throws std::runtime_error naming a file that
-/// cannot be read.
-nlohmann::json mergeRecords(const std::string& folder);
+/// A cell of the stability matrix.
+struct TrialRecord
+{
+	std::string group, trial, solver, jointClass, precision, complaint;
+};
+
+/// What the files of a folder hold.
+struct Merged
+{
+	nlohmann::json records = nlohmann::json::array(), trials = nlohmann::json::array();
+};
+
+/// In the order of the files' names. Throws std::runtime_error naming a file that cannot be read.
+Merged mergeRecords(const std::string& folder);
 
 std::vector<Record> recordsOf(const nlohmann::json& json);
+std::vector<TrialRecord> trialsOf(const nlohmann::json& json);
 
 std::string csvOf(const nlohmann::json& json);
 }  // namespace ep

@@ -8,8 +8,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "Case.h"
 #include "Methods.h"
 #include "Problem.h"
+#include "Stability.h"
 
 namespace
 {
@@ -73,6 +75,29 @@ json recordsOf(const Options& o, const ep::Problem& problem)
 	}
 	return records;
 }
+json stabilityOf()
+{
+	json records = json::array();
+	for (const ep::Trial& trial : ep::stabilityTrials())
+		for (const ep::Solver solver : {ep::Solver::Direct, ep::Solver::Iterative, ep::Solver::Stock})
+			for (const ep::JointClass jointClass : {ep::JointClass::Spring2, ep::JointClass::Spring})
+			{
+				ep::Method method(solver);
+				method.jointClass = jointClass;
+				const ep::Verdict verdict = trial.run(method);
+				records.push_back({{"group", trial.group},
+								   {"trial", trial.name},
+								   {"solver", ep::nameOf(solver)},
+								   {"joint_class", ep::nameOf(jointClass)},
+								   {"precision", PRECISION},
+								   {"complaint", verdict.complaint()},
+								   {"value", numberOrNull(verdict.value)},
+								   {"exact", numberOrNull(verdict.exact)},
+								   {"energy_created", numberOrNull(std::max(verdict.created, verdict.createdByJoints))},
+								   {"run_time_s", verdict.runTime}});
+			}
+	return records;
+}
 }  // namespace
 
 int main(int argc, char** argv)
@@ -91,8 +116,9 @@ int main(int argc, char** argv)
 	app.add_option("--out", o.out, "File to write")->required();
 	CLI11_PARSE(app, argc, argv);
 	o.stepping.step = 1. / o.rate;
+	const bool isStability = o.problem == ep::Case::STABILITY;
 	const ep::Problem* const problem = ep::findProblem(o.problem);
-	if (!problem)
+	if (!problem && !isStability)
 	{
 		std::cerr << "ep-report-case: there is no problem '" << o.problem << "'; there are:";
 		for (const ep::Problem& p : ep::problems())
@@ -101,7 +127,7 @@ int main(int argc, char** argv)
 		return 1;
 	}
 	std::ofstream file(o.out);
-	file << recordsOf(o, *problem).dump(1) << "\n";
+	file << (isStability ? stabilityOf() : recordsOf(o, *problem)).dump(1) << "\n";
 	file.close();
 	if (!file)
 	{

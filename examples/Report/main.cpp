@@ -30,6 +30,7 @@ std::vector<std::string> allProblems()
 	std::vector<std::string> names;
 	for (const ep::Problem& problem : ep::problems())
 		names.push_back(problem.name);
+	names.push_back(ep::Case::STABILITY);
 	return names;
 }
 
@@ -97,9 +98,11 @@ void run(const Options& o, const char* self)
 		shardOf(ep::casesOf(o.problems.empty() ? allProblems() : o.problems, precisions, o.quick), o.shard);
 	const int failed = ep::runCases(cases, settings);
 
-	const nlohmann::json json = ep::mergeRecords(settings.folder);
+	const ep::Merged merged = ep::mergeRecords(settings.folder);
+	const nlohmann::json& json = merged.records;
 	const fs::path out(o.out);
 	ep::writeText((out / "report.json").string(), json.dump(1) + "\n");
+	ep::writeText((out / "stability.json").string(), merged.trials.dump(1) + "\n");
 	ep::writeText((out / "report.csv").string(), ep::csvOf(json));
 	const std::vector<std::pair<std::string, std::string>> stamp = {
 		{"Processor", processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads"},
@@ -108,7 +111,7 @@ void run(const Options& o, const char* self)
 		{"Date", today()},
 		{"Records", std::to_string(json.size())},
 	};
-	ep::writeText((out / "report.html").string(), ep::htmlOf(ep::recordsOf(json), stamp));
+	ep::writeText((out / "report.html").string(), ep::htmlOf(ep::recordsOf(json), ep::trialsOf(merged.trials), stamp));
 	std::cout << "Report in " << (out / "report.html").string() << "\n";
 	if (failed > 0)
 		throw std::runtime_error(std::to_string(failed) + " cases failed: see the .failed files in " + settings.folder);
@@ -136,6 +139,7 @@ int main(int argc, char** argv)
 	{
 		for (const ep::Problem& problem : ep::problems())
 			std::cout << problem.name << ": " << problem.what << " (exact by " << problem.source << ")\n";
+		std::cout << ep::Case::STABILITY << ": what is stiff, extreme or unusual, green or what went wrong\n";
 		return 0;
 	}
 	try

@@ -1,0 +1,45 @@
+#ifndef EP_REPORT_HTML_PARTS_H
+#define EP_REPORT_HTML_PARTS_H
+
+#include <map>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "Records.h"
+
+namespace ep
+{
+typedef std::vector<const Record*> Selection;
+
+/// Of all problems, each by the quantity that it is judged by.
+struct ByProblem
+{
+	std::vector<std::string> names;  ///< in the order of the records
+	std::map<std::string, Selection> records;
+	std::map<std::string, std::string> quantity;
+};
+
+/// What is compared, as readers know it.
+struct Family
+{
+	const char* key;  ///< Record::family()
+	const char* name;
+};
+const std::vector<Family>& families();
+
+std::string percent(double share);
+std::string milliseconds(double seconds);
+
+/// Background of a cell, green to red by the error's order of magnitude.
+std::string cell(double error);
+
+// The page's parts, from the top.
+void writeOverview(std::ostream& out, const ByProblem& problems);
+void writeProfiles(std::ostream& out, const ByProblem& problems);
+void writeParts(std::ostream& out, const ByProblem& problems);
+void writeStability(std::ostream& out, const std::vector<TrialRecord>& trials);
+void writeProblem(std::ostream& out, const std::string& name, const Selection& records);
+}  // namespace ep
+
+#endif  // EP_REPORT_HTML_PARTS_H
