@@ -126,7 +126,8 @@ void CharpyScene::key(char key)
 
 std::vector<std::string> CharpyScene::keyHelp() const
 {
-	std::vector<std::string> lines = {",  .  slow motion: slower, faster", "X  hammer and anvils cut or whole",
+	std::vector<std::string> lines = {",  .  impact in slower or faster slow motion",
+									  "X  hammer and anvils cut or whole",
 									  "Again from the start with:", "+  -  a longer, shorter step in the impact",
 									  "G  geometry: paper's or repeatable"};
 	for (size_t i = 0; i < charpyWays().size(); ++i)
