@@ -89,6 +89,31 @@ btScalar Bridge::beamSag(btScalar gravity) const
 	return load * l2 * l2 / (384 * deck().bendingStiffness()) + load * l2 / (8 * deck().shearStiffness());
 }
 
+double Bridge::exactSag(btScalar gravity) const
+{
+	// The moment at a node, M0 - w x (L - x) / 2, turns the next block by M / k against the one before; M0 is such that all
+	// turns together are none, for both ends are clamped. By symmetry only the left half matters.
+	const int n = m_settings.blocks;
+	const double length = double(deck().blockLength()), load = double(deck().blockMass() * gravity) / length;
+	const auto parabola = [&](int i) { return load * i * length * (n - i) * length / 2; };
+	double turns = 0, softness = 0;
+	for (int i = 0; i <= n; ++i)
+	{
+		const double k = double(deck().nodes()[i]->getCapacity().m_stiffness[BT_EP_BENDING_Z]);
+		turns += parabola(i) / k;
+		softness += 1 / k;
+	}
+	double sag = 0, slope = 0;
+	for (int i = 0; i < n / 2; ++i)
+	{
+		const btElasticPlasticCapacity& joint = deck().nodes()[i]->getCapacity();
+		slope += (turns / softness - parabola(i)) / double(joint.m_stiffness[BT_EP_BENDING_Z]);
+		sag += load * (n / 2. - i) * length / double(joint.m_stiffness[BT_EP_SHEAR_Y]);
+		sag += slope * length * (i + 1 < n / 2 ? 1 : .5);
+	}
+	return sag;
+}
+
 btScalar Bridge::supportForce() const
 {
 	btScalar sum = 0;

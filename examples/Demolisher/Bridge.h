@@ -38,6 +38,9 @@ public:
 	/// How far the middle of the deck is below where it was built [m].
 	btScalar sag() const;
 
+	/// The same at rest under the deck's own weight for these rigid blocks on these joints, exactly (small deflections) [m].
+	double exactSag(btScalar gravity) const;
+
 	/// The same by beam theory for the deck's own weight: a bar of the steel's bending and shear stiffness, clamped at both ends [m].
 	btScalar beamSag(btScalar gravity) const;
 

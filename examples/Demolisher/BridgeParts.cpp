@@ -17,10 +17,13 @@ void addRoads(std::vector<Part>& parts, const Bridge& bridge)
 {
 	const BridgeSettings& s = bridge.settings();
 	const btTransform place(btQuaternion(0, 0, 0, 1), bridge.origin());
-	const btScalar foot = s.span / 2 + s.supportLength + s.rampLength, length = 900;
+	const btScalar foot = s.span / 2 + s.supportLength + s.rampLength;
+	// In pieces: shadows are not computed exactly enough for long ones.
+	const btScalar piece = 30;
 	for (btScalar side : {btScalar(-1), btScalar(1)})
-		parts.push_back(
-			boxPart(place * at(side * (foot + length / 2), 0), btVector3(length, btScalar(.02), s.width + 1), ASPHALT));
+		for (int i = 0; i < 30; ++i)
+			parts.push_back(boxPart(place * at(side * (foot + (i + btScalar(.5)) * piece), 0),
+									btVector3(piece, btScalar(.02), s.width + 1), ASPHALT));
 	// The road that the bridge is for.
 	parts.push_back(boxPart(place * at(0, 0), btVector3(8, btScalar(.02), 1800), ASPHALT));
 	for (int i = -40; i <= 40; ++i)

@@ -105,6 +105,6 @@ btVector3 DemolisherScene::centre() const
 
 btScalar DemolisherScene::extent() const
 {
-	return m_looksAt == Scene::Bridge ? m_settings.bridge.span + 2 * m_settings.bridge.supportLength + 4 : btScalar(20);
+	return m_looksAt == Scene::Bridge ? m_settings.bridge.span + 2 * m_settings.bridge.supportLength + 4 : btScalar(14);
 }
 }  // namespace ep

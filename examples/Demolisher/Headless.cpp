@@ -101,12 +101,12 @@ void runFigure11(const HeadlessSettings& headless)
 	Demolisher& demolisher = scene.demolisher();
 	Figure11 figure(demolisher);
 	RunLog log(demolisher);
-	// The gate in front, the bridge behind it, the fence at the end.
+	// The vehicle and the gate in front, the bridge behind them, the fence at the end.
 	Camera camera;
 	const btScalar gate = demolisher.settings().placeOf(Scene::Gate);
-	camera.eye = btVector3(gate - 18, 7, 20);
-	camera.target = btVector3(gate + 24, btScalar(1.2), 0);
-	camera.fieldOfView = .5f;
+	camera.eye = btVector3(gate - 42, 9, 21);
+	camera.target = btVector3(gate + 10, btScalar(1.5), -3);
+	camera.fieldOfView = .45f;
 	for (Figure11::State state : {Figure11::INITIAL, Figure11::CROSSED, Figure11::FALLEN})
 	{
 		if (!figure.reach(state, [&log] { log.step(); }))

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "Comparison.h"
 #include "DemolisherOptions.h"
 #include "Headless.h"
 #include "OptionRange.h"
@@ -20,6 +21,9 @@ struct Options
 					 "No window: the autopilot drives; summary.json, joints.csv and pictures are left");
 		app.add_flag("--figure-11", figure11,
 					 "The paper's Figure 11, headless: three states, each a picture and a summary");
+		app.add_flag(
+			"--compare", compares,
+			"Tables of what joints and solvers cost and get wrong on the same bridge, and how fast each scene is");
 		app.add_option("--out", headless.out, "Directory for what a headless run leaves")->capture_default_str();
 		app.add_option("--seconds", headless.seconds, "Longest simulated time of a headless run, length of a film [s]")
 			->capture_default_str()
@@ -46,7 +50,7 @@ struct Options
 
 	ep::DemolisherOptions scene;
 	ep::HeadlessSettings headless;
-	bool list = false, isHeadless = false, figure11 = false;
+	bool list = false, isHeadless = false, figure11 = false, compares = false;
 	std::string screenshot, record;
 	double after = 9, textSize = 0;
 	bool noPanel = false;
@@ -107,6 +111,8 @@ int main(int argc, char** argv)
 	{
 		if (options.list)
 			std::cout << ep::DemolisherOptions::list();
+		else if (options.compares)
+			std::cout << ep::comparisonTables(options.scene.settings());
 		else if (options.figure11)
 			ep::runFigure11(options.headless);
 		else if (!options.isHeadless)

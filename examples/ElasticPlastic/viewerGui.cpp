@@ -66,7 +66,23 @@ void Gui::begin(int width, int height)
 {
 	ImGui_ImplOpenGL2_NewFrame();
 	ImGui::GetIO().DisplaySize = ImVec2(float(std::max(1, width)), float(std::max(1, height)));
+	takeClicks();
 	ImGui_ImplGLUT_NewFrame();
+}
+
+/// A button that goes down and up between two pictures is down in one and up in the next: else nobody would see the click.
+void Gui::takeClicks()
+{
+	unsigned changed = 0;
+	while (!m_clicks.empty())
+	{
+		const Click click = m_clicks.front();
+		if (changed >> click.button & 1u)
+			return;
+		changed |= 1u << click.button;
+		ImGui_ImplGLUT_MouseFunc(click.button, click.down ? GLUT_DOWN : GLUT_UP, click.x, click.y);
+		m_clicks.pop_front();
+	}
 }
 
 void Gui::end()
@@ -93,8 +109,8 @@ bool Gui::mouseButton(int button, bool down, int x, int y)
 		if (down)
 			ImGui_ImplGLUT_MouseWheelFunc(0, button == wheelUp ? 1 : -1, x, y);
 	}
-	else
-		ImGui_ImplGLUT_MouseFunc(button, down ? GLUT_DOWN : GLUT_UP, x, y);
+	else if (button < wheelUp)
+		m_clicks.push_back({button, down, x, y});
 	return ImGui::GetIO().WantCaptureMouse;
 }
 

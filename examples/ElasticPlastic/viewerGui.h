@@ -1,6 +1,8 @@
 #ifndef EP_VIEWER_GUI_H
 #define EP_VIEWER_GUI_H
 
+#include <deque>
+
 namespace ep
 {
 /// Dear ImGui in GLUT's window. Needs a current OpenGL context all its life; one at a time.
@@ -21,6 +23,17 @@ public:
 	bool key(int key, bool down);
 	bool mouseButton(int button, bool down, int x, int y);
 	bool mouseMove(int x, int y);
+
+private:
+	struct Click
+	{
+		int button;
+		bool down;
+		int x, y;
+	};
+	void takeClicks();
+
+	std::deque<Click> m_clicks;  ///< not seen yet
 };
 }  // namespace ep
 

@@ -15,10 +15,11 @@ namespace
 ImU32 shown(const Colour& colour) { return brush::shown(colour, 1); }
 }  // namespace
 
-ViewerPanel::ViewerPanel(const char* title, float x, float y, float width, float height)
+ViewerPanel::ViewerPanel(const char* title, const Rectangle& place, bool moves)
 {
-	ImGui::SetNextWindowPos(ImVec2(x, y), ImGuiCond_FirstUseEver);
-	ImGui::SetNextWindowSize(ImVec2(width, height), ImGuiCond_FirstUseEver);
+	const ImGuiCond when = moves ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
+	ImGui::SetNextWindowPos(ImVec2(place.x, place.y), when);
+	ImGui::SetNextWindowSize(ImVec2(place.width, place.height), when);
 	ImGui::SetNextWindowBgAlpha(.82f);
 	m_isOpen = ImGui::Begin(title);
 	ImGui::PushItemWidth(-ImGui::GetFontSize() * 9.5f);
@@ -102,7 +103,7 @@ void ViewerPanel::shares(const std::vector<Share>& shares, const char* unit)
 												  shown(shares[i].colour));
 		ImGui::Dummy(ImVec2(size, size));
 		ImGui::SameLine();
-		ImGui::Text("%s %.4g %s", shares[i].name, shares[i].value, unit);
+		ImGui::Text("%s %.1f %s", shares[i].name, shares[i].value, unit);
 	}
 }
 

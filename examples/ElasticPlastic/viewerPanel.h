@@ -9,8 +9,14 @@ namespace ep
 class ViewerPanel : public Panel
 {
 public:
-	/// Pixels from the window's top left corner, of its first appearance.
-	ViewerPanel(const char* title, float x, float y, float width, float height);
+	struct Rectangle
+	{
+		float x, y, width, height;
+	};
+
+	/// Pixels from the window's top left corner.
+	/// \param moves  to there now; else it stays where a person has put it
+	ViewerPanel(const char* title, const Rectangle& place, bool moves);
 	~ViewerPanel() override;
 
 	bool section(const char* title, bool open) override;

@@ -20,6 +20,8 @@ public:
 	Recorder(const Recorder&) = delete;
 	Recorder& operator=(const Recorder&) = delete;
 
+	double length() const { return double(m_pictures) / PICTURES_PER_SECOND; }  ///< so far [s]
+
 	/// Tells of its progress on the terminal, once a second of film.
 	void add(const Image& image);
 

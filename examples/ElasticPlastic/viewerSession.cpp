@@ -70,26 +70,18 @@ void Viewer::frame()
 		simulate(1. / Recorder::PICTURES_PER_SECOND);
 	else if (m_options.screenshot.empty())
 		simulate(seconds);
-	draw(films ? 1. / Recorder::PICTURES_PER_SECOND : seconds);
-	keepPicture();
+	const double shown = films ? 1. / Recorder::PICTURES_PER_SECOND : seconds;
+	draw(shown);
+	keepPicture(shown);
 	glutSwapBuffers();
 }
 
 /// For a film, and of the window as a whole.
-void Viewer::keepPicture()
+void Viewer::keepPicture(double seconds)
 {
-	try
-	{
-		if (m_recorder)
-			m_recorder->add(Renderer::read(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)));
-	}
-	catch (const std::exception& error)
-	{
-		m_recorder.reset();
-		if (!m_options.record.empty())
-			throw;
-		std::fprintf(stderr, "%s\n", error.what());
-	}
+	m_filmTime += seconds;
+	if (m_recorder)
+		addToFilm();
 	if (!m_options.record.empty() && m_frames >= int(m_options.recordTime * Recorder::PICTURES_PER_SECOND + .5))
 	{
 		endFilm();
@@ -103,8 +95,28 @@ void Viewer::keepPicture()
 	}
 }
 
+/// As often as the time that has passed wants it.
+void Viewer::addToFilm()
+{
+	try
+	{
+		const Image image = Renderer::read(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
+		while (m_recorder->length() < m_filmTime - .5 / Recorder::PICTURES_PER_SECOND)
+			m_recorder->add(image);
+	}
+	catch (const std::exception& error)
+	{
+		m_recorder.reset();
+		if (!m_options.record.empty())
+			throw;
+		// A film that cannot be made is no reason to stop driving.
+		std::fprintf(stderr, "%s\n", error.what());
+	}
+}
+
 void Viewer::startFilm(const std::string& file)
 {
+	m_filmTime = 0;
 	m_recorder.reset(new Recorder(file, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)));
 }
 
@@ -155,12 +167,16 @@ void Viewer::draw(double seconds)
 void Viewer::drawPanels(int width, int height)
 {
 	const float line = float(brush::scaled(18)), panelWidth = 20 * line;
+	const bool moves = width != m_width || height != m_height;
+	m_width = width;
+	m_height = height;
 	const std::vector<std::string> titles = m_scene.panels();
-	for (size_t i = 0; i < titles.size(); ++i)
+	// Help takes the right one's place.
+	for (size_t i = 0; i < (m_help ? 1 : titles.size()); ++i)
 	{
 		// Beside the legend below, and the note on help above.
 		const float x = i == 0 ? line / 2 : float(width) - panelWidth - line / 2, y = i == 0 ? line / 2 : 3 * line;
-		ViewerPanel panel(titles[i].c_str(), x, y, panelWidth, float(height) - y - (i == 0 ? 3 : 1) * line);
+		ViewerPanel panel(titles[i].c_str(), {x, y, panelWidth, float(height) - y - (i == 0 ? 3 : 1) * line}, moves);
 		if (i == 0)
 			drawTime(panel);
 		m_scene.panel(i, panel);

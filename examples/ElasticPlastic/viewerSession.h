@@ -40,7 +40,8 @@ private:
 	void draw(double seconds);
 	void drawPanels(int width, int height);
 	void drawTime(Panel& panel);
-	void keepPicture();
+	void keepPicture(double seconds);
+	void addToFilm();
 	void startFilm(const std::string& file);
 	void endFilm();
 	void command(ViewerKeys::Command command);
@@ -57,10 +58,12 @@ private:
 	Clock::time_point m_last;
 	double m_frameRate = 0;  ///< smoothed [1/s]
 	double m_stepRate = 0;   ///< of the scene, the same
+	double m_filmTime = 0;   ///< what has passed since a film began [s]
 	double m_tempo = 1;      ///< simulated over real time
 	double m_owed = 0;       ///< real time that the scene has not simulated yet [s]
 	bool m_running = true, m_paused = false, m_help = false, m_dragging = false;
 	bool m_panel;
+	int m_width = 0, m_height = 0;  ///< of the window when panels were placed
 	int m_mouseX = 0, m_mouseY = 0, m_frames = 0, m_screenshots = 0, m_films = 0;
 };
 }  // namespace ep
