@@ -43,7 +43,7 @@ double HangingChain::staticStretch() const
 	{
 		weight += double(m_settings.gravity) / double(m_member.m_parts[i]->getInvMass());
 		const btElasticPlasticJoint* joint = i == 0 ? m_top : m_member.m_joints[i - 1];
-		stretch += weight / double(joint->getCapacity().m_stiffness[BT_EP_AXIAL]);
+		stretch += weight / double(m_world.nominal(*joint).m_stiffness[BT_EP_AXIAL]);
 	}
 	return stretch;
 }

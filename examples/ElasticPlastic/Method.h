@@ -67,11 +67,12 @@ namespace parts
 enum : unsigned
 {
 	Nothing = 0,
-	Elasticity = 1,           ///< joints are rigid up to yield
-	Shear = 2,                ///< left to Bullet's class, which locks it
-	Torsion = 4,              ///< left to Bullet's class, which lets it go
-	ContactCoupling = 8,      ///< contacts are solved after the joints, by themselves (direct solver)
-	ContinuousCollision = 16  ///< Bullet's sweep of bodies that move further than their size
+	Elasticity = 1,            ///< joints are rigid up to yield
+	Shear = 2,                 ///< left to Bullet's class, which locks it
+	Torsion = 4,               ///< left to Bullet's class, which lets it go
+	ContactCoupling = 8,       ///< contacts are solved after the joints, by themselves (direct solver)
+	ContinuousCollision = 16,  ///< Bullet's sweep of bodies that move further than their size
+	OfJoints = Elasticity | Shear | Torsion
 };
 }
 
@@ -84,7 +85,8 @@ struct Method
 	int iterations = 10;                            ///< of iterative solvers, Bullet's default
 	unsigned without = parts::ContinuousCollision;  ///< what is left out
 
-	bool has(unsigned part) const { return (without & part) == 0; }
+	/// All of the parts?
+	bool has(unsigned these) const { return (without & these) == 0; }
 
 	Method(Solver s) : solver(s) {}
 	Method(Solver s, const JointKind& kind, int n)

@@ -149,7 +149,8 @@ btElasticPlasticJoint* World::joint(btRigidBody& a, btRigidBody& b, const btTran
 		joint = new btElasticPlastic6DofSpringConstraint(a, b, inA, inB);
 	else
 		joint = new btElasticPlastic6DofSpring2Constraint(a, b, inA, inB);
-	joint->setCapacity(without(capacity, m_method));
+	if (joint->setCapacity(without(capacity, m_method)) && !m_method.has(parts::OfJoints))
+		m_nominal[joint] = capacity;
 	m_joints.push_back(joint);
 	const JointKind kind = {m_method.joints, jointClass};
 	if (!kind.isElasticPlastic())
@@ -173,6 +174,12 @@ const BulletJoint* World::inPlaceOf(const btElasticPlasticJoint& joint) const
 {
 	const auto own = m_inPlaceOf.find(&joint);
 	return own == m_inPlaceOf.end() ? nullptr : own->second.get();
+}
+
+const btElasticPlasticCapacity& World::nominal(const btElasticPlasticJoint& joint) const
+{
+	const auto given = m_nominal.find(&joint);
+	return given == m_nominal.end() ? joint.getCapacity() : given->second;
 }
 
 void World::release(btElasticPlasticJoint& joint, int dof)

@@ -62,6 +62,9 @@ public:
 	/// What stands in a joint's place. \return null if the joint itself is in the world
 	const BulletJoint* inPlaceOf(const btElasticPlasticJoint& joint) const;
 
+	/// A joint's capacity as it was given, with the parts that the method leaves out: what exact answers are made from.
+	const btElasticPlasticCapacity& nominal(const btElasticPlasticJoint& joint) const;
+
 	/// Lets a degree of freedom of a joint go.
 	void release(btElasticPlasticJoint& joint, int dof);
 
@@ -102,6 +105,7 @@ private:
 	std::vector<BulletJoint*> m_whole;  // of these, those that hold
 	std::vector<btElasticPlasticJoint*> m_joints;
 	std::function<void(btScalar)> m_beforeSubstep;
+	std::map<const btElasticPlasticJoint*, btElasticPlasticCapacity> m_nominal;  // of those with parts left out
 };
 }  // namespace ep
 

@@ -20,7 +20,7 @@ BlockUnderTension::Settings blockOf(const Method& method)
 /// The block's own joint, for exact solutions.
 ExactOscillator oscillatorOf(const BlockUnderTension& block)
 {
-	const btElasticPlasticCapacity& capacity = block.m_joint->getCapacity();
+	const btElasticPlasticCapacity& capacity = block.m_world.nominal(*block.m_joint);
 	return {1 / double(block.m_block->getInvMass()), double(capacity.m_stiffness[BT_EP_AXIAL]),
 			double(capacity.m_yield[BT_EP_AXIAL])};
 }
