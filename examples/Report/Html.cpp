@@ -6,31 +6,9 @@
 
 namespace ep
 {
-namespace
-{
-/// Each problem is judged by its first quantity.
-ByProblem sorted(const std::vector<Record>& records)
-{
-	ByProblem problems;
-	for (const Record& r : records)
-	{
-		if (!problems.records.count(r.problem))
-		{
-			problems.names.push_back(r.problem);
-			problems.quantity[r.problem] = r.quantity;
-		}
-		Selection& selection = problems.records[r.problem];
-		if (r.quantity == problems.quantity[r.problem])
-			selection.push_back(&r);
-	}
-	return problems;
-}
-}  // namespace
-
-std::string htmlOf(const std::vector<Record>& records, const std::vector<TrialRecord>& trials,
+std::string htmlOf(const ByProblem& problems, const std::vector<TrialRecord>& trials,
 				   const std::vector<std::pair<std::string, std::string>>& stamp)
 {
-	const ByProblem problems = sorted(records);
 	std::ostringstream out;
 	out << "<!DOCTYPE html><html lang=\"en\"><meta charset=\"utf-8\"><title>Error against run time</title>\n"
 		   "<style>body{font:15px sans-serif;max-width:1500px;margin:2em auto;padding:0 1em;color:#222}"

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "Records.h"
+#include "ByProblem.h"
 
 namespace ep
 {
 /// The report as one page, plots inside. \param stamp  names and values: machine, compiler, versions, date
-std::string htmlOf(const std::vector<Record>& records, const std::vector<TrialRecord>& trials,
+std::string htmlOf(const ByProblem& problems, const std::vector<TrialRecord>& trials,
 				   const std::vector<std::pair<std::string, std::string>>& stamp);
 }  // namespace ep
 

@@ -1,25 +1,14 @@
 #ifndef EP_REPORT_HTML_PARTS_H
 #define EP_REPORT_HTML_PARTS_H
 
-#include <map>
 #include <ostream>
 #include <string>
 #include <vector>
 
-#include "Records.h"
+#include "ByProblem.h"
 
 namespace ep
 {
-typedef std::vector<const Record*> Selection;
-
-/// Of all problems, each by the quantity that it is judged by.
-struct ByProblem
-{
-	std::vector<std::string> names;  ///< in the order of the records
-	std::map<std::string, Selection> records;
-	std::map<std::string, std::string> quantity;
-};
-
 /// What is compared, as readers know it.
 struct Family
 {
@@ -31,7 +20,10 @@ const std::vector<Family>& families();
 std::string percent(double share);
 std::string milliseconds(double seconds);
 
-/// Background of a cell, green to red by the error's order of magnitude.
+/// Green to red by the error's order of magnitude, grey for none.
+const char* shadeOf(double error);
+
+/// A cell of a table with an error, green to red by the error's order of magnitude.
 std::string cell(double error);
 
 // The page's parts, from the top.

@@ -5,40 +5,12 @@
 
 #include "HtmlParts.h"
 #include "Judgement.h"
-#include "plot.h"
+#include "Pictures.h"
 
 namespace ep
 {
 namespace
 {
-Plot errorOverTime(const std::string& problem, const Selection& records)
-{
-	Plot plot;
-	plot.m_title = problem;
-	plot.m_xLabel = "run time per simulated second [s]";
-	plot.m_yLabel = "relative error";
-	plot.m_logX = plot.m_logY = true;
-	int color = 0;
-	for (const Family& family : families())
-	{
-		Plot::Curve curve{family.name, {}, Plot::MARKS, color++, {}};
-		for (const Record* r : records)
-			if (r->family() == family.key && std::isfinite(r->error))
-			{
-				// Below what a picture can tell, and above what is of any use, all are the same.
-				curve.m_points.emplace_back(r->cost(), std::min(std::max(r->error, 1e-6), 1e2));
-				curve.m_tips.push_back(r->setting() + ": " + percent(r->error));
-			}
-		if (!curve.m_points.empty())
-			plot.m_curves.push_back(curve);
-	}
-	Plot::Curve front{"nothing better and quicker", {}, Plot::RINGS, 7, {}};
-	for (const Record* r : nonDominated(records))
-		front.m_points.emplace_back(r->cost(), std::min(std::max(r->error, 1e-6), 1e2));
-	plot.m_curves.push_back(front);
-	return plot;
-}
-
 void budgets(std::ostream& out, const Selection& records)
 {
 	out << "<table><tr><th>Error allowed</th><th>Quickest setting</th><th>Error</th><th>Run time per "
@@ -91,13 +63,8 @@ void writeFamilies(std::ostream& out, const Selection& records)
 
 void writeProblem(std::ostream& out, const std::string& name, const Selection& records)
 {
-	// What the profile and the study of parts made has tables of its own.
-	Selection compared;
-	for (const Record* r : records)
-		for (const Family& family : families())
-			if (r->family() == family.key)
-				compared.push_back(r);
-	out << errorOverTime(name, compared).svg();
+	const Selection compared = comparedOf(records);
+	out << problemPicture(name, compared);
 	budgets(out, compared);
 	writeFamilies(out, compared);
 }

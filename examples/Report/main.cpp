@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "Html.h"
+#include "Pictures.h"
 #include "LinearMath/btScalar.h"
 #include "Problem.h"
 #include "Records.h"
@@ -111,7 +112,14 @@ void run(const Options& o, const char* self)
 		{"Date", today()},
 		{"Records", std::to_string(json.size())},
 	};
-	ep::writeText((out / "report.html").string(), ep::htmlOf(ep::recordsOf(json), ep::trialsOf(merged.trials), stamp));
+	const std::vector<ep::Record> records = ep::recordsOf(json);
+	const ep::ByProblem problems(records);
+	ep::writeText((out / "report.html").string(), ep::htmlOf(problems, ep::trialsOf(merged.trials), stamp));
+	fs::create_directories(out / "pictures");
+	ep::writeText((out / "pictures" / "overview.svg").string(), ep::overviewPicture(problems));
+	for (const std::string& name : problems.names)
+		ep::writeText((out / "pictures" / (name + ".svg")).string(),
+					  ep::problemPicture(name, ep::comparedOf(problems.records.at(name))));
 	std::cout << "Report in " << (out / "report.html").string() << "\n";
 	if (failed > 0)
 		throw std::runtime_error(std::to_string(failed) + " cases failed: see the .failed files in " + settings.folder);
