@@ -4,9 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "DemolisherScene.h"
 #include "DirectSolver.h"
 #include "Figure11.h"
+#include "OneScene.h"
 #include "Precision.h"
 #include "Summary.h"
 
@@ -14,13 +14,6 @@ using namespace ep;
 
 namespace
 {
-DemolisherSettings only(Scene scene)
-{
-	DemolisherSettings settings;
-	settings.scenes = {scene};
-	return settings;
-}
-
 Controls handbrake()
 {
 	Controls controls;
@@ -321,21 +314,4 @@ TEST(Demolisher, SummaryHasItsKeys)
 	EXPECT_EQ(json.at("vehicle_track").size(), 11u);
 	const std::string csv = log.jointsCsv();
 	EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 11 * 13);
-}
-
-TEST(Demolisher, RestartIsAsNew)
-{
-	DemolisherScene scene(only(Scene::Bridge));
-	scene.setAutopilot(true);
-	const auto run = [&scene]
-	{
-		for (int i = 0; i < 60 * 4; ++i)
-			scene.step(Controls());
-		return scene.demolisher().summary();
-	};
-	const DemolisherSummary first = run();
-	scene.restart();
-	const DemolisherSummary second = run();
-	EXPECT_EQ(first.vehicle.x(), second.vehicle.x());
-	EXPECT_EQ(first.sag, second.sag);
 }
