@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <ode/ode.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "Cantilever.h"
@@ -14,6 +19,7 @@
 namespace
 {
 using namespace ep;
+using nlohmann::json;
 
 const char* const PROBLEMS[] = {"cantilever-at-rest", "hanging-chain"};
 
@@ -70,16 +76,46 @@ TEST(Ode, TakesPosesFromTheSceneAndLeavesThemThere)
 	EXPECT_NEAR(double(cantilever.sag()) / cantilever.staticSag(), 1, STATICS);
 }
 
-TEST(Ode, IsComparedInItsOwnPrecisionOnWhatItCanPose)
+/// What the report's program writes of a problem.
+json recordsOf(const std::string& problem)
 {
-	EXPECT_TRUE(odeSettings("portal-sway", 60, 1, true).empty());
+	const std::string file = testing::TempDir() + "ode-" + problem + "-" + std::to_string(::getpid());
+	const std::string command =
+		std::string(EP_REPORT_CASE) + " --quick --repeats 1 --problem " + problem + " --out " + file;
+	EXPECT_EQ(0, std::system(command.c_str())) << command;
+	const json records = json::parse(std::ifstream(file), nullptr, false);
+	std::remove(file.c_str());
+	return records;
+}
+
+TEST(Ode, IsRecordedLikeTheOthersInItsOwnPrecision)
+{
 	const bool isSame = bool(dCheckConfiguration("ODE_double_precision")) == (sizeof(btScalar) == sizeof(double));
 	for (const char* problem : PROBLEMS)
 	{
-		std::set<std::string> kinds;
-		for (const Setting& setting : odeSettings(problem, 60, 1, true))
-			kinds.insert(setting.engine + " " + setting.scheme);
-		EXPECT_EQ(kinds.size(), isSame ? 4u : 0u);
+		const json records = recordsOf(problem);
+		ASSERT_TRUE(records.is_array());
+		std::set<std::string> kinds, keys, ours;
+		for (const json& record : records)
+		{
+			std::set<std::string>& those = record.at("joint_class") == "-" ? keys : ours;
+			for (const auto& item : record.items())
+				those.insert(item.key());
+			if (record.at("joint_class") != "-")
+				continue;
+			kinds.insert(record.at("solver").get<std::string>() + " " + record.at("scheme").get<std::string>());
+			EXPECT_EQ(record.at("quantity"), records[0].at("quantity"));
+			EXPECT_EQ(record.at("exact"), records[0].at("exact"));
+			EXPECT_EQ(record.at("steps"), records[0].at("steps"));
+		}
+		const std::set<std::string> all = {"ode-step ode-fixed", "ode-quickstep ode-fixed", "ode-step ode-soft",
+										   "ode-quickstep ode-soft"};
+		EXPECT_EQ(kinds, isSame ? all : std::set<std::string>());
+		if (isSame)
+		{
+			EXPECT_EQ(keys, ours);
+		}
 	}
+	EXPECT_TRUE(odeSettings("portal-sway", 60, 1, true).empty());
 }
 }  // namespace

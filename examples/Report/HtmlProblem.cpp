@@ -38,11 +38,9 @@ void budgets(std::ostream& out, const Selection& records)
 	}
 	out << "</table>\n";
 	if (!outside.empty())
-		out << "<p>ODE's fixed joints have its default ERP and CFM and hardly give way. ODE's springs are ball joints "
-			   "and "
-			   "angular motors, to which ERP and CFM give the section's stiffness; its fixed joint cannot be given one "
-			   "for "
-			   "rotations.</p>\n";
+		out << "<p>ODE's fixed joints have its default ERP and CFM and hardly give way. Its springs are ball joints "
+			   "and angular motors that ERP and CFM give the section's stiffness; a fixed joint cannot be given one "
+			   "for rotations.</p>\n";
 }
 
 void writeFamilies(std::ostream& out, const Selection& records)
