@@ -1,6 +1,7 @@
 #ifndef EP_METHOD_H
 #define EP_METHOD_H
 
+#include "Engine.h"
 #include "Named.h"
 
 namespace ep
@@ -84,6 +85,7 @@ struct Method
 	JointClass jointClass = JointClass::Spring2;
 	int iterations = 10;                            ///< of iterative solvers, Bullet's default
 	unsigned without = parts::ContinuousCollision;  ///< what is left out
+	MakeEngine engine;                              ///< of another engine than Bullet
 
 	/// All of the parts?
 	bool has(unsigned these) const { return (without & these) == 0; }

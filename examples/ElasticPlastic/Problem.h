@@ -48,6 +48,8 @@ public:
 	Run(World& world, const Stepping& stepping, Outcome& outcome)
 		: m_world(world), m_stepping(stepping), m_outcome(outcome), m_audit(world), m_control(stepping.error)
 	{
+		// Not a part of the first step's time.
+		world.start();
 	}
 	~Run();
 

@@ -204,6 +204,12 @@ void World::add(btTypedConstraint* constraint, bool disableCollisions)
 	m_world->addConstraint(constraint, disableCollisions);
 }
 
+void World::start()
+{
+	if (m_method.engine && !m_engine)
+		m_engine = m_method.engine(*this);
+}
+
 void World::step(btScalar dt, int substeps)
 {
 	for (int i = 0; i < substeps; ++i)
@@ -212,8 +218,11 @@ void World::step(btScalar dt, int substeps)
 
 void World::substep(btScalar dt)
 {
+	start();
 	if (m_beforeSubstep)
 		m_beforeSubstep(dt);
+	if (m_engine)
+		return m_engine->step(dt);
 	for (BulletJoint* joint : m_whole)
 		joint->beforeStep(dt);
 	m_world->stepSimulation(dt, 0);

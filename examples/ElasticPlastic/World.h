@@ -74,6 +74,9 @@ public:
 	const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return m_bodies; }
 	const std::vector<btElasticPlasticJoint*>& joints() const { return m_joints; }
 
+	/// All is built: another engine takes over, if the method names one. The first step does it too.
+	void start();
+
 	/// One step of dt, in the given number of equal substeps. Joints of Bullet's that let go leave the world: else their
 	/// bodies would not collide.
 	void step(btScalar dt, int substeps = 1);
@@ -106,6 +109,7 @@ private:
 	std::vector<btElasticPlasticJoint*> m_joints;
 	std::function<void(btScalar)> m_beforeSubstep;
 	std::map<const btElasticPlasticJoint*, btElasticPlasticCapacity> m_nominal;  // of those with parts left out
+	std::unique_ptr<Engine> m_engine;                                            // null: Bullet
 };
 }  // namespace ep
 

@@ -12,8 +12,8 @@ namespace ep
 namespace
 {
 /// Told apart by people with any colour vision (Okabe and Ito).
-const char* const COLORS[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9",
-							  "#666666", "#000000", "#8c564b", "#b5bd00", "#9467bd", "#f0e442"};
+const char* const COLORS[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#666666",
+							  "#000000", "#8c564b", "#b5bd00", "#9467bd", "#004d40", "#a50026"};
 const int NUM_COLORS = int(sizeof COLORS / sizeof *COLORS);
 
 const double WIDTH = 860, HEIGHT = 420, LEFT = 74, RIGHT = 250, TOP = 44, BOTTOM = 58;

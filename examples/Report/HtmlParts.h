@@ -16,6 +16,8 @@ struct Family
 	const char* name;
 };
 const std::vector<Family>& families();
+/// Those that have a record.
+std::vector<Family> familiesOf(const ByProblem& problems);
 
 std::string percent(double share);
 std::string milliseconds(double seconds);

@@ -78,24 +78,28 @@ void addParts(std::vector<Setting>& settings)
 }
 }  // namespace
 
+std::vector<int> iterationsToCompare(int stepsPerSecond, bool quick)
+{
+	if (quick)
+		return {10};
+	// More would take hours and teach nothing that fewer steps do not.
+	return stepsPerSecond <= 240 ? std::vector<int>{10, 50, 250} : std::vector<int>{10, 50};
+}
+
 std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick)
 {
-	const std::vector<int> iterations = quick ? std::vector<int>{10} : std::vector<int>{10, 50, 250};
+	const int stepsPerSecond = rate * substeps;
+	const std::vector<int> iterations = iterationsToCompare(stepsPerSecond, quick);
 	const std::vector<JointClass> classes = quick ? std::vector<JointClass>{JointClass::Spring2}
 												  : std::vector<JointClass>{JointClass::Spring2, JointClass::Spring};
 	std::vector<Setting> settings;
-	// What takes hours and teaches nothing that fewer steps do not.
-	const int stepsPerSecond = rate * substeps;
 	const bool hasMlcp = stepsPerSecond <= (quick ? 240 : 480);
-	const int mostIterations = stepsPerSecond <= 240 ? 250 : 50;
 	const auto add = [&](Joints joints, Solver solver, JointClass jointClass)
 	{
 		if (solver == Solver::Mlcp && !hasMlcp)
 			return;
 		for (const int n : iterations)
 		{
-			if (n > mostIterations)
-				break;
 			settings.push_back({Method(solver, {joints, jointClass}, n), nameOf(joints)});
 			if (!iterates(solver))
 				break;

@@ -17,9 +17,14 @@ const char* nameOf(JointClass jointClass);
 struct Setting
 {
 	Method method;
-	std::string scheme;  ///< as records call it
-	double budget = 0;   ///< above 0: substeps by btElasticPlasticStepControl for this error
+	std::string scheme;       ///< as records call it
+	double budget = 0;        ///< above 0: substeps by btElasticPlasticStepControl for this error
+	std::string engine = {};  ///< another engine's solver, as records call it; empty: the method's own
 };
+
+/// Of iterative solvers.
+/// \param quick  one only
+std::vector<int> iterationsToCompare(int stepsPerSecond, bool quick);
 
 /// What the report compares in a case of the given step. At 1/60 s also what the profile makes of it for several budgets,
 /// and at 1/480 s, as 8 substeps, the direct solver without each of its parts.

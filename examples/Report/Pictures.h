@@ -16,7 +16,7 @@ Selection comparedOf(const Selection& records);
 /// Error over run time of what is compared.
 std::string problemPicture(const std::string& name, const Selection& records);
 
-/// The error of one record that stands for a family at 1/60 s, 10 iterations, float; not a number if there is none.
+/// The error of one record that stands for a family at 1/60 s, 10 iterations, float, or of another engine; not a number if there is none.
 double errorAtGamesStep(const Selection& records, const std::string& family);
 }  // namespace ep
 

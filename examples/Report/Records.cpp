@@ -35,7 +35,7 @@ std::string Record::setting() const
 	else
 		out << scheme;
 	out << ", " << solver;
-	if (solver != "direct" && solver != "mlcp")
+	if (solver != "direct" && solver != "mlcp" && solver != "ode-step")
 		out << " " << iterations << " iterations";
 	out << ", " << precision;
 	return out.str();

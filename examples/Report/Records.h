@@ -17,8 +17,10 @@ struct Record
 
 	/// Time it takes per simulated second.
 	double cost() const { return runTime / simulated; }
-	/// Default scheme: the solver; else the scheme.
-	std::string family() const { return scheme == "default" ? solver : scheme; }
+	/// By another engine than Bullet? Such have no joint class.
+	bool isOutside() const { return jointClass == "-"; }
+	/// Default scheme: the solver; else the scheme, of another engine with the solver.
+	std::string family() const { return scheme == "default" ? solver : isOutside() ? scheme + " " + solver : scheme; }
 	/// In words that a user can follow.
 	std::string setting() const;
 };

@@ -10,6 +10,9 @@
 
 #include "Case.h"
 #include "Methods.h"
+#ifdef EP_WITH_ODE
+#include "OdeEngine.h"
+#endif
 #include "Problem.h"
 #include "Stability.h"
 
@@ -35,7 +38,11 @@ json numberOrNull(double value) { return std::isfinite(value) ? json(value) : js
 
 json recordsOf(const Options& o, const ep::Problem& problem)
 {
-	const std::vector<ep::Setting> settings = ep::settingsToCompare(o.rate, o.stepping.substeps, o.quick);
+	std::vector<ep::Setting> settings = ep::settingsToCompare(o.rate, o.stepping.substeps, o.quick);
+#ifdef EP_WITH_ODE
+	for (const ep::Setting& setting : ep::odeSettings(problem.name, o.rate, o.stepping.substeps, o.quick))
+		settings.push_back(setting);
+#endif
 	std::vector<ep::Outcome> outcomes(settings.size());
 	std::vector<std::vector<double>> times(settings.size());
 	for (int round = 0; round < o.repeats; ++round)
@@ -54,15 +61,16 @@ json recordsOf(const Options& o, const ep::Problem& problem)
 	{
 		std::sort(times[i].begin(), times[i].end());
 		const ep::Method& method = settings[i].method;
+		const bool isOurs = settings[i].engine.empty();
 		for (const ep::Quantity& quantity : outcomes[i].quantities)
 			records.push_back({{"problem", problem.name},
 							   {"quantity", quantity.name},
 							   {"dt_s", o.stepping.step},
 							   {"substeps", o.stepping.substeps},
-							   {"solver", ep::nameOf(method.solver)},
+							   {"solver", isOurs ? ep::nameOf(method.solver) : settings[i].engine},
 							   {"iterations", method.iterations},
 							   {"scheme", settings[i].scheme},
-							   {"joint_class", ep::nameOf(method.jointClass)},
+							   {"joint_class", isOurs ? ep::nameOf(method.jointClass) : "-"},
 							   {"precision", PRECISION},
 							   {"value", numberOrNull(quantity.value)},
 							   {"exact", quantity.exact},

@@ -109,6 +109,9 @@ void run(const Options& o, const char* self)
 		{"Processor", processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads"},
 		{"Compiler", __VERSION__},
 		{"Bullet", std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100)},
+#ifdef EP_ODE_VERSION
+		{"ODE", EP_ODE_VERSION},
+#endif
 		{"Date", today()},
 		{"Records", std::to_string(json.size())},
 	};
