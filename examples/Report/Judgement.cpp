@@ -11,8 +11,10 @@ std::vector<const Record*> nonDominated(const std::vector<const Record*>& record
 	std::sort(sorted.begin(), sorted.end(),
 			  [](const Record* a, const Record* b)
 			  { return a->cost() != b->cost() ? a->cost() < b->cost() : a->error < b->error; });
+	// What is right to a millionth is right: below there is rounding.
+	const auto errorOf = [](const Record* r) { return std::max(r->error, 1e-6); };
 	for (const Record* record : sorted)
-		if (std::isfinite(record->error) && (front.empty() || record->error < front.back()->error))
+		if (std::isfinite(record->error) && (front.empty() || errorOf(record) < errorOf(front.back())))
 			front.push_back(record);
 	return front;
 }
