@@ -42,6 +42,22 @@ void setCallbacks()
 	glutMotionFunc([](int x, int y) { theViewer->mouseMove(x, y); });
 	glutPassiveMotionFunc([](int x, int y) { theViewer->mouseMove(x, y); });
 }
+
+/// The window goes before its viewer does, however that ends.
+struct WindowEnd
+{
+	int window;
+
+	~WindowEnd()
+	{
+		if (glutGetWindow() == window)
+		{
+			glutDestroyWindow(window);
+			glutMainLoopEvent();  // only now the window goes, and close() is called
+		}
+		theViewer = nullptr;
+	}
+};
 }  // namespace
 
 void runViewer(ViewedScene& scene, const ViewerOptions& options)
@@ -52,6 +68,7 @@ void runViewer(ViewedScene& scene, const ViewerOptions& options)
 
 	const int window = openWindow(options, scene.title());
 	Viewer viewer(scene, options);
+	const WindowEnd end = {window};
 	theViewer = &viewer;
 	setCallbacks();
 	glutMainLoopEvent();
@@ -61,11 +78,5 @@ void runViewer(ViewedScene& scene, const ViewerOptions& options)
 		viewer.frame();
 		glutMainLoopEvent();
 	}
-	if (glutGetWindow() == window)
-	{
-		glutDestroyWindow(window);
-		glutMainLoopEvent();  // only now the window goes, and close() is called
-	}
-	theViewer = nullptr;
 }
 }  // namespace ep

@@ -212,6 +212,8 @@ void Viewer::command(ViewerKeys::Command command)
 
 void Viewer::key(int key, bool down)
 {
+	if (!m_gui)
+		return;  // the window has just been closed
 	try
 	{
 		// Typing in a field drives nothing; a key that was down before must come up.
@@ -232,6 +234,8 @@ void Viewer::key(int key, bool down)
 
 void Viewer::mouseButton(int button, int state, int x, int y)
 {
+	if (!m_gui)
+		return;
 	const int wheelUp = 3, wheelDown = 4;
 	const bool down = state == GLUT_DOWN, forPanel = m_gui->mouseButton(button, down, x, y);
 	if ((button == wheelUp || button == wheelDown) && down && !forPanel)
@@ -243,6 +247,8 @@ void Viewer::mouseButton(int button, int state, int x, int y)
 
 void Viewer::mouseMove(int x, int y)
 {
+	if (!m_gui)
+		return;
 	m_gui->mouseMove(x, y);
 	if (m_dragging)
 		m_camera.turn(x - m_mouseX, y - m_mouseY);
