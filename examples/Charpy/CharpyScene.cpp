@@ -87,7 +87,8 @@ std::vector<std::string> CharpyScene::text() const
 		format("Hinge  %.2f rad%s", r.hingeAngle, r.broken ? ", broken" : ""),
 		format("Plastic work  %.1f J of %.1f J to pass", r.plasticWork, s.passingEnergy()),
 		format("Friction  %.1f J, pieces %.1f J, contacts %.1f J", r.frictionWork, r.specimenEnergy, r.contactWork),
-		format("Time  %.2f ms, %s", m_charpy->time() * 1e3, nameOf(r.outcome)) +
+		format("Time  %.2f ms, %s", m_charpy->time() * 1e3,
+			   m_charpy->isOver() || !m_charpy->hasStruck() ? nameOf(r.outcome) : "in the impact") +
 			(isNear() ? format(", %.0f times slower", m_slowness) : ""),
 	};
 }
