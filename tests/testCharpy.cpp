@@ -478,6 +478,55 @@ TEST(Charpy, WindowsKeysChangeTheTest)
 	EXPECT_NEAR(inImpact('.'), inImpact(' ') * 2, 1e-9);
 }
 
+namespace
+{
+/// A person who moves one slider and lets go, or presses a button.
+struct OneHand : Panel
+{
+	std::string label, said;
+	double to = 0;
+
+	bool section(const char*, bool) override { return true; }
+	void text(const std::string& line) override { said += line + "\n"; }
+	bool button(const char* l) override { return l == label; }
+	void beside() override {}
+	bool check(const char*, bool&) override { return false; }
+	bool choice(const char*, size_t&, const std::vector<std::string>&) override { return false; }
+	bool slider(const char* l, double& value, double, double, const char*) override
+	{
+		if (l != label)
+			return false;
+		value = to;
+		return true;
+	}
+	bool slider(const char*, int&, int, int) override { return false; }
+	void shares(const std::vector<Share>&, const char*) override {}
+	int table(const char*, const std::vector<std::string>&, const std::vector<Row>&, int) override { return -1; }
+	void plot(const char*, const std::vector<float>&, const char*) override {}
+};
+}  // namespace
+
+TEST(Charpy, WindowsPanelChangesTheTest)
+{
+	CharpySettings low;
+	low.height = 0.005;
+	CharpyScene scene{low};
+	OneHand hand;
+	hand.label = "friction";
+	hand.to = 0.3;
+	scene.panel(0, hand);
+	EXPECT_DOUBLE_EQ(0.3, scene.charpy().settings().friction);
+	// What does not go is said, and all stays as it was.
+	hand.label = "notch [mm]";
+	hand.to = 6;
+	scene.panel(0, hand);
+	EXPECT_NE(std::string::npos, hand.said.find("--notch is 6"));
+	EXPECT_EQ(low.notch, scene.charpy().settings().notch);
+	hand.label = "As given";
+	scene.panel(0, hand);
+	EXPECT_EQ(low.friction, scene.charpy().settings().friction);
+}
+
 TEST(Charpy, SummaryHasItsKeys)
 {
 	const CharpySettings s;

@@ -55,6 +55,11 @@ Drawing CharpyScene::draw() const
 	Drawing drawing;
 	drawing.parts = charpyParts(*m_charpy, m_cut);
 	drawing.views = charpyViews(*m_charpy, m_cut);
+	// The first one has the panel on its left: the specimen stands right of it.
+	Camera& beside = drawing.views[0].camera;
+	const btVector3 aside = (beside.target - beside.eye).cross(btVector3(0, 1, 0)).normalized() * btScalar(-2.5);
+	beside.eye += aside;
+	beside.target += aside;
 	// Looking against the blow.
 	drawing.subject =
 		btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_PI), btVector3(-5, btScalar(CHARPY_DRAWN_LEVEL), 0));
@@ -88,8 +93,8 @@ std::vector<std::string> CharpyScene::text() const
 		format("Plastic work  %.1f J of %.1f J to pass", r.plasticWork, s.passingEnergy()),
 		format("Friction  %.1f J, pieces %.1f J, contacts %.1f J", r.frictionWork, r.specimenEnergy, r.contactWork),
 		format("Time  %.2f ms, %s", m_charpy->time() * 1e3,
-			   m_charpy->isOver() || !m_charpy->hasStruck() ? nameOf(r.outcome) : "in the impact") +
-			(isNear() ? format(", %.0f times slower", m_slowness) : ""),
+			   m_charpy->isOver() || !m_charpy->hasStruck() ? nameOf(r.outcome) : "impact") +
+			(isNear() ? format(", %.0fx slower", m_slowness) : ""),
 	};
 }
 
