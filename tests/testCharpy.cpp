@@ -463,6 +463,13 @@ TEST(Charpy, WindowsKeysChangeTheTest)
 	scene.key('g');
 	EXPECT_EQ(CharpyGeometry::Paper, settings().geometry);
 
+	// The paper's hammer is too thick for these anvils.
+	CharpySettings narrow;
+	narrow.gap = 0.018;
+	CharpyScene tight{narrow};
+	tight.key('g');
+	EXPECT_EQ(CharpyGeometry::Repeatable, tight.charpy().settings().geometry);
+
 	// Slower: a picture shows half the time.
 	const auto inImpact = [](char key)
 	{

@@ -60,11 +60,7 @@ void CharpyScene::panel(size_t, Panel& panel)
 		anew = true;
 	}
 	if (anew)
-		m_fault = m_settings.fault();
-	if (anew && m_fault.empty())
 		restart();
-	else if (anew)
-		m_settings = m_charpy->settings();
 	if (!m_fault.empty())
 		panel.text(m_fault);
 }

@@ -35,6 +35,10 @@ std::string format(const char* pattern, Values... values)
 
 void CharpyScene::restart()
 {
+	// What a person asks for while it runs may not go: then it stays as it was.
+	m_fault = m_charpy ? m_settings.fault() : std::string();
+	if (!m_fault.empty())
+		m_settings = m_charpy->settings();
 	m_charpy.reset(new Charpy(m_settings));
 	m_history.clear();
 }
