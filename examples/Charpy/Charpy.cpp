@@ -18,7 +18,7 @@ const CharpySettings& checked(const CharpySettings& settings)
 
 const char* nameOf(CharpyOutcome outcome)
 {
-	static const char* const names[] = {"swinging", "missed", "passed", "bounced", "stuck"};
+	static const char* const names[] = {"swinging", "missed", "passed", "bounced", "stuck", "slipped"};
 	return names[int(outcome)];
 }
 
@@ -138,9 +138,10 @@ void Charpy::followBend()
 
 int Charpy::substepsIn(double dt) const
 {
+	const auto whole = [](double parts) { return int(std::ceil(parts - 1e-9)); };
+	double parts = btMax(1., dt * std::fabs(angularSpeed()) / LARGEST_TURN);
 	if (!m_struck && angle() + angularSpeed() * dt <= -m_settings.impactAngle)
-		return 1;
-	double parts = 1;
+		return whole(parts);
 	for (const CharpyJoint& joint : m_joints)
 		parts = btMax(parts, dt / joint.longestStep());
 	// A hinge that is pushed at speed v between anvils a gap g apart bends by 2 v / (g / 2) per time when straight, less when
@@ -148,7 +149,7 @@ int Charpy::substepsIn(double dt) const
 	const double pushed = 4 * std::fabs(angularSpeed()) * m_settings.arm / m_settings.gap;
 	if (m_settings.hingeStep > 0)
 		parts = btMax(parts, dt * btMax(pushed, bendRate()) / m_settings.hingeStep);
-	return int(std::ceil(parts - 1e-9));
+	return whole(parts);
 }
 
 void Charpy::step() { step(stepAt(angle())); }
@@ -214,6 +215,19 @@ void Charpy::strike()
 		m_specimenLevel += CharpyEnergy::potential(*piece);
 }
 
+/// Above or below the anvils before it was bent by what it takes to pass; rounded corners take less by 1 % or two.
+bool Charpy::hasSlipped() const
+{
+	for (const CharpyJoint& joint : m_joints)
+		if (joint.isBroken())
+			return false;
+	const double edge = (anvilShape(m_settings, true).height + m_settings.width) / 2 * m_settings.lengthsPerMetre;
+	for (const btRigidBody* piece : m_parts.pieces)
+		if (std::fabs(double(piece->getWorldTransform().getOrigin().y())) < edge)
+			return false;
+	return m_result.greatestAngle < 0.95 * m_settings.passingAngle();
+}
+
 void Charpy::observe()
 {
 	if (!m_struck)
@@ -235,7 +249,9 @@ void Charpy::observe()
 	for (const btRigidBody* piece : m_parts.pieces)
 		through = through && double(piece->getWorldTransform().getOrigin().x()) >
 								 (m_settings.anvilWidth + m_settings.length / 2) * m_settings.lengthsPerMetre;
-	if (through || angle() > m_settings.swingAngle)
+	if (angularSpeed() > 0 && hasSlipped())
+		m_outcome = CharpyOutcome::Slipped;
+	else if (through || angle() > m_settings.swingAngle)
 		m_outcome = CharpyOutcome::Passed;
 	else if (angle() < -m_settings.impactAngle)
 		m_outcome = CharpyOutcome::Bounced;
@@ -269,8 +285,8 @@ CharpyResult Charpy::result() const
 		r.specimenEnergy +=
 			(CharpyEnergy::kinetic(*piece) + (m_struck ? CharpyEnergy::potential(*piece) : 0)) / m_perJoule;
 	r.specimenEnergy -= m_specimenLevel / m_perJoule;
-	r.frictionWork = -m_energy.frictionWork() / m_perJoule;
-	r.contactWork = -m_energy.contactWork() / m_perJoule;
+	r.frictionWork = (0 - m_energy.frictionWork()) / m_perJoule;  // nothing is 0, not -0
+	r.contactWork = (0 - m_energy.contactWork()) / m_perJoule;
 	r.hingeAngle = std::fabs(m_bend);
 	r.duration = m_struck ? m_time - m_struckTime : 0;
 	return r;

@@ -11,7 +11,8 @@ enum class CharpyOutcome
 	Missed,    ///< the hammer has met nothing
 	Passed,    ///< all pieces have gone through between the anvils
 	Bounced,   ///< the hammer has swung back
-	Stuck      ///< the hammer has come to rest in the specimen
+	Stuck,     ///< the hammer has come to rest in the specimen
+	Slipped    ///< the specimen has left the anvils over an edge, unbroken and before it was bent enough to pass
 };
 const char* nameOf(CharpyOutcome outcome);
 
@@ -23,7 +24,7 @@ struct CharpyResult
 	double hammerBefore = 0;          ///< energy of the hammer, as seen from its rest at angle 0 [J]
 	double hammerAfter = 0;           ///< [J]
 	double plasticWork = 0;           ///< of all joints [J]
-	double elasticEnergy = 0;         ///< still in the joints [J]
+	double elasticEnergy = 0;         ///< in the joints, or in one when it broke [J]
 	double specimenEnergy = 0;        ///< kinetic, of the pieces [J]
 	double frictionWork = 0;          ///< what friction took [J]
 	double contactWork = 0;           ///< what blows took, normal to the faces: they are inelastic [J]
@@ -48,6 +49,8 @@ class Charpy
 public:
 	/// Simulated at most: a hammer that falls from the highest release takes 2 s down [s].
 	static constexpr double LONGEST = 10;
+	/// Of the hammer in a substep: so its bearing keeps up, and it does not jump over the specimen [rad].
+	static constexpr double LARGEST_TURN = 0.05;
 
 	/// Throws std::invalid_argument that says what is wrong with the settings.
 	explicit Charpy(const CharpySettings& settings);
@@ -64,7 +67,8 @@ public:
 
 	/// The paper's automatic time stepping: swingStep at angles beyond swingAngle, step within impactAngle, linear between.
 	double stepAt(double angle) const;
-	/// Of equal length in a step of dt: none may turn the hinge by more than hingeStep, or be too long for the joint.
+	/// Of equal length in a step of dt: none may turn the hammer by more than LARGEST_TURN or the hinge by more than
+	/// hingeStep, or be too long for the joint.
 	int substepsIn(double dt) const;
 
 	double time() const { return m_time; }
@@ -83,6 +87,7 @@ private:
 	void strike();
 	double hammerEnergy() const;
 	bool isHammerTouching() const;
+	bool hasSlipped() const;
 	double bendRate() const;
 	void followBend();
 	void hold();

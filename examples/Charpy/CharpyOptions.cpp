@@ -46,6 +46,7 @@ CharpyOptions::CharpyOptions(CLI::App& app)
 			   std::string("--") + n.name,
 			   [this, &n](double value) { m_given.push_back([&n, value](CharpySettings& s) { n.set(s, value); }); },
 			   n.help)
+			->type_name(n.whole ? "INT" : "FLOAT")
 			->check(n.whole ? optionRange<int>(n.low, n.high) : optionRange(n.low, n.high))
 			->default_str(toText(n.of(CharpySettings())));
 }

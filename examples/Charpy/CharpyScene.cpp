@@ -35,6 +35,10 @@ std::string format(const char* pattern, Values... values)
 
 void CharpyScene::restart()
 {
+	// What a person asks for while it runs may not go: then it stays as it was.
+	m_fault = m_charpy ? m_settings.fault() : std::string();
+	if (!m_fault.empty())
+		m_settings = m_charpy->settings();
 	m_charpy.reset(new Charpy(m_settings));
 	m_history.clear();
 }
@@ -55,6 +59,11 @@ Drawing CharpyScene::draw() const
 	Drawing drawing;
 	drawing.parts = charpyParts(*m_charpy, m_cut);
 	drawing.views = charpyViews(*m_charpy, m_cut);
+	// The first one has the panel on its left: the specimen stands right of it.
+	Camera& beside = drawing.views[0].camera;
+	const btVector3 aside = (beside.target - beside.eye).cross(btVector3(0, 1, 0)).normalized() * btScalar(-2.5);
+	beside.eye += aside;
+	beside.target += aside;
 	// Looking against the blow.
 	drawing.subject =
 		btTransform(btQuaternion(btVector3(0, 1, 0), SIMD_PI), btVector3(-5, btScalar(CHARPY_DRAWN_LEVEL), 0));
@@ -87,8 +96,9 @@ std::vector<std::string> CharpyScene::text() const
 		format("Hinge  %.2f rad%s", r.hingeAngle, r.broken ? ", broken" : ""),
 		format("Plastic work  %.1f J of %.1f J to pass", r.plasticWork, s.passingEnergy()),
 		format("Friction  %.1f J, pieces %.1f J, contacts %.1f J", r.frictionWork, r.specimenEnergy, r.contactWork),
-		format("Time  %.2f ms, %s", m_charpy->time() * 1e3, nameOf(r.outcome)) +
-			(isNear() ? format(", %.0f times slower", m_slowness) : ""),
+		format("Time  %.2f ms, %s", m_charpy->time() * 1e3,
+			   m_charpy->isOver() || !m_charpy->hasStruck() ? nameOf(r.outcome) : "impact") +
+			(isNear() ? format(", %.0fx slower", m_slowness) : ""),
 	};
 }
 

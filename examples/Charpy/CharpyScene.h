@@ -10,7 +10,7 @@ namespace ep
 class CharpyScene : public ViewedScene
 {
 public:
-	explicit CharpyScene(const CharpySettings& settings) : m_settings(settings) { restart(); }
+	explicit CharpyScene(const CharpySettings& settings) : m_settings(settings), m_asGiven(settings) { restart(); }
 
 	const Charpy& charpy() const { return *m_charpy; }
 
@@ -21,6 +21,8 @@ public:
 	Drawing draw() const override;
 	btVector3 centre() const override { return btVector3(0, btScalar(CHARPY_DRAWN_LEVEL), 0); }
 	btScalar extent() const override { return 110; }
+	std::vector<std::string> panels() const override { return {"The test"}; }
+	void panel(size_t number, Panel& panel) override;
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
 
@@ -28,7 +30,8 @@ private:
 	bool isNear() const;
 	std::vector<std::string> text() const;
 
-	CharpySettings m_settings;
+	CharpySettings m_settings, m_asGiven;
+	std::string m_fault;  ///< of what a person last asked for
 	std::unique_ptr<Charpy> m_charpy;
 	double m_slowness = 167;  ///< of the impact: how many times slower than it is
 	bool m_cut = true;

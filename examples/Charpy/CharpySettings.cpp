@@ -80,14 +80,14 @@ const std::vector<CharpyNumber>& charpyNumbers()
 std::string CharpySettings::fault() const
 {
 	std::string found;
-	const auto check = [this, &found](const CharpyNumber& n, double low, double high)
+	const auto check = [this, &found](const CharpyNumber& n, double low, double high, const char* why = "")
 	{
 		const double value = n.of(*this), slack = 1e-9 * (std::fabs(low) + std::fabs(high));  // of changing units
 		if (!found.empty() || (value >= low - slack && value <= high + slack))
 			return;
 		char text[256];
-		std::snprintf(text, sizeof text, "--%s is %g; it must be a number from %g to %g (%s)", n.name, value, low, high,
-					  n.help);
+		std::snprintf(text, sizeof text, "--%s is %g; it must be a number from %g to %g%s (%s)", n.name, value, low,
+					  high, why, n.help);
 		found = text;
 	};
 	for (const CharpyNumber& n : charpyNumbers())
@@ -100,19 +100,25 @@ std::string CharpySettings::fault() const
 	{
 		double CharpySettings::*field;
 		double low, high;
-	} bounds[] = {{&CharpySettings::notch, 0, 0.9 * height},
-				  {&CharpySettings::gap, 1e-3, 0.98 * length},
-				  {&CharpySettings::draft, 1e-3, 0.9 * hammerLength},
-				  {&CharpySettings::release, swingAngle, btMin(highest, 2.8)},
-				  {&CharpySettings::swingStep, step, 0.02},
-				  {&CharpySettings::swingAngle, impactAngle, 2},
-				  {&CharpySettings::hingeStep, hingeStep > 0 ? 1e-4 : 0, 1}};
+		const char* why;
+	} bounds[] = {
+		{&CharpySettings::notch, 0, 0.9 * height, ", 0.9 of --height"},
+		{&CharpySettings::gap, 2 * hammerHalfThickness(), 0.98 * length,
+		 ", from the hammer's thickness to 0.98 of --length"},
+		{&CharpySettings::draft, 1e-3, 0.9 * hammerLength, ", 0.9 of --hammer-length"},
+		{&CharpySettings::release, swingAngle, btMin(highest, 2.8), ", from --swing-angle to the hammer upside down"},
+		{&CharpySettings::swingStep, step, 0.02, ", not below --dt"},
+		{&CharpySettings::swingAngle, impactAngle, 2, ", not below --impact-angle"},
+		{&CharpySettings::hingeStep, hingeStep > 0 ? 1e-4 : 0, 1, ""}};
 	for (const auto& b : bounds)
 		for (const CharpyNumber& n : charpyNumbers())
 			if (n.real == b.field)
-				check(n, b.low / n.unit, b.high / n.unit);
+				check(n, b.low / n.unit, b.high / n.unit, b.why);
 	if (found.empty() && pieces % 2 != 0)
 		found = "--pieces is " + std::to_string(pieces) + "; it must be even: the notch is between the middle ones";
+	if (found.empty() && passingAngle() >= M_PI)
+		found =
+			"the specimen does not fit between the anvils, however it bends: a lower --height or a wider --gap helps";
 	return found;
 }
 }  // namespace ep

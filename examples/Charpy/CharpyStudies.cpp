@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "CharpyFriction.h"
+
 namespace ep
 {
 namespace
@@ -145,6 +147,27 @@ CharpyTable specimenWidth(const CharpySettings& s)
 				 16);
 }
 
+/// Beside what it takes without inertia, up to where it holds the specimen.
+CharpyTable friction(const CharpySettings& settings)
+{
+	CharpyTable t;
+	t.name = "friction";
+	t.title = "Energy over friction";
+	t.yTitle = "energy [J]";
+	t.columns = {"friction", "quasi-static friction work", "friction work", "plastic work", "loss", "hinge_rad",
+				 "stuck"};
+	t.series = {{1, true}, {2, false}, {3, false}, {4, false}};
+	for (int i = 0; i <= 20; ++i)
+	{
+		CharpySettings s = settings;
+		s.friction = 0.02 * i;
+		const CharpyResult r = Charpy(s).run();
+		t.add({s.friction, quasiStaticFriction(s), r.frictionWork, r.plasticWork, r.loss(), r.hingeAngle,
+			   double(r.outcome == CharpyOutcome::Stuck)});
+	}
+	return t;
+}
+
 CharpyTable maxRotation(const CharpySettings& s)
 {
 	return sweep(s, "rotation", "Energy over the maximum rotation: brittle to ductile", &CharpySettings::maxRotation,
@@ -188,6 +211,7 @@ const std::vector<CharpyStudy>& charpyStudies()
 		{"yield", "energy over yield stress", yieldStress},
 		{"notch", "energy over the notch's depth", notchDepth},
 		{"width", "energy over the specimen's thickness", specimenWidth},
+		{"friction", "energy over friction", friction},
 		{"rotation", "energy over the maximum rotation", maxRotation},
 	};
 	return studies;

@@ -19,6 +19,9 @@ std::string number(const char* pattern, double value)
 	return text;
 }
 
+/// A comma within a name does not end it.
+std::string csvField(const std::string& text) { return text.find(',') == std::string::npos ? text : '"' + text + '"'; }
+
 std::string padded(const std::string& text, size_t width)
 {
 	return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
@@ -35,7 +38,7 @@ std::string CharpyTable::toCsv() const
 {
 	std::string csv = labelColumn.empty() ? "" : labelColumn + ",";
 	for (size_t c = 0; c < columns.size(); ++c)
-		csv += (c > 0 ? "," : "") + columns[c];
+		csv += (c > 0 ? "," : "") + csvField(columns[c]);
 	csv += "\n";
 	for (size_t r = 0; r < rows.size(); ++r)
 	{
