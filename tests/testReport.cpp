@@ -140,6 +140,11 @@ TEST_F(Report, SaysWhatIsWrong)
 		EXPECT_NE(0, result.status) << c.arguments;
 		EXPECT_NE(std::string::npos, result.output.find(c.answer)) << result.output;
 	}
+	// Few settings where all were begun.
+	ASSERT_EQ(0, report("", "few").status);
+	const Ended mixed = run("--problem block-released --out " + (m_folder / "few").string());
+	EXPECT_NE(0, mixed.status);
+	EXPECT_NE(std::string::npos, mixed.output.find("was begun with few settings")) << mixed.output;
 	// A file that is no list of records.
 	fs::create_directories(m_folder / "out" / "cases");
 	std::ofstream(m_folder / "out" / "cases" / "block-released.60x1.float.json") << "{";

@@ -18,17 +18,6 @@ const struct
 	{"release", "release [rad]", "%.2f", 0.3, 2.5},
 };
 
-template <class Value>
-bool choice(Panel& panel, const char* label, Value& value, const std::vector<Named<Value>>& choices)
-{
-	size_t index = 0;
-	while (!(choices[index].value == value))
-		++index;
-	const bool changed = panel.choice(label, index, namesOf(choices));
-	value = choices[index].value;
-	return changed;
-}
-
 const CharpyNumber& numberOf(const std::string& option)
 {
 	size_t i = 0;

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "plot.h"
+#include "outputFiles.h"
 
 namespace ep
 {
@@ -80,21 +80,6 @@ void addEnergies(CharpyTable& table, const Charpy& charpy)
 	const CharpyResult r = charpy.result();
 	table.add({charpy.time(), r.hammerAfter, r.plasticWork, r.specimenEnergy, r.frictionWork, r.contactWork,
 			   r.elasticEnergy, r.numericalDissipation, charpy.angle(), r.hingeAngle});
-}
-
-void makeDirectory(const std::string& directory)
-{
-	std::error_code error;
-	std::filesystem::create_directories(directory, error);
-	if (error)
-		throw std::runtime_error("cannot make the directory '" + directory + "' (--out): " + error.message());
-}
-
-std::string writeFile(const std::string& directory, const std::string& name, const std::string& text)
-{
-	const std::string file = (std::filesystem::path(directory) / name).string();
-	writeText(file, text);
-	return file;
 }
 
 std::string writeTable(const CharpyTable& table, const std::string& directory)

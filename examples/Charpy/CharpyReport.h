@@ -16,12 +16,6 @@ std::string toLine(const CharpyResult& result);
 CharpyTable energyTable();
 void addEnergies(CharpyTable& table, const Charpy& charpy);
 
-/// Makes the directory if it is not there. Throws std::runtime_error.
-void makeDirectory(const std::string& directory);
-
-/// Writes a file. \return its name. Throws std::runtime_error.
-std::string writeFile(const std::string& directory, const std::string& name, const std::string& text);
-
 /// Runs a test and leaves summary.json, energy.csv and energy.svg in a directory.
 CharpyResult runAndReport(const CharpySettings& settings, const std::string& directory);
 /// Writes a table, and its picture if it has one. \return the files' names

@@ -8,6 +8,7 @@
 #include "CharpyScene.h"
 #include "CharpyStudies.h"
 #include "OptionRange.h"
+#include "outputFiles.h"
 #ifdef EP_WITH_VIEWER
 #include "viewer.h"
 #endif

@@ -30,17 +30,6 @@ bool slider(Panel& panel, const char* label, btScalar& value, double unit, doubl
 	return changed;
 }
 
-template <class Value>
-bool choice(Panel& panel, const char* label, Value& value, const std::vector<Named<Value>>& choices)
-{
-	size_t index = 0;
-	while (!(choices[index].value == value))
-		++index;
-	const bool changed = panel.choice(label, index, namesOf(choices));
-	value = choices[index].value;
-	return changed;
-}
-
 bool isAngular(int dof) { return dof >= BT_EP_TORSION; }
 }  // namespace
 

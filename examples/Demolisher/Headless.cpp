@@ -7,6 +7,7 @@
 
 #include "Figure11.h"
 #include "Summary.h"
+#include "outputFiles.h"
 #include "pictureView.h"
 #ifdef EP_WITH_PICTURES
 #include "pictureRaster.h"
@@ -14,23 +15,6 @@
 
 namespace ep
 {
-void makeDirectory(const std::string& directory)
-{
-	std::error_code error;
-	std::filesystem::create_directories(directory, error);
-	if (error)
-		throw std::runtime_error("cannot make the directory '" + directory + "' (--out): " + error.message());
-}
-
-std::string writeFile(const std::string& directory, const std::string& name, const std::string& text)
-{
-	const std::string file = (std::filesystem::path(directory) / name).string();
-	std::ofstream stream(file);
-	if (!(stream << text << std::flush))
-		throw std::runtime_error("cannot write the file '" + file + "'");
-	return file;
-}
-
 void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name,
 				 const Camera& camera)
 {

@@ -23,11 +23,6 @@ void runFigure11(const HeadlessSettings& headless);
 
 // What they are made of.
 
-void makeDirectory(const std::string& directory);
-
-/// \return the file's name
-std::string writeFile(const std::string& directory, const std::string& name, const std::string& text);
-
 /// Where a build has libpng.
 void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name,
 				 const Camera& camera);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "Drawing.h"
+#include "Named.h"
 
 namespace ep
 {
@@ -49,6 +50,18 @@ public:
 	/// Values at equal steps of time, the last one now.
 	virtual void plot(const char* title, const std::vector<float>& values, const char* unit) = 0;
 };
+
+/// A choice among named things, of which the value is one.
+template <class Value>
+bool choice(Panel& panel, const char* label, Value& value, const std::vector<Named<Value>>& choices)
+{
+	size_t index = 0;
+	while (!(choices[index].value == value))
+		++index;
+	const bool changed = panel.choice(label, index, namesOf(choices));
+	value = choices[index].value;
+	return changed;
+}
 }  // namespace ep
 
 #endif  // EP_PANEL_H

@@ -208,13 +208,4 @@ std::string Plot::svg() const
 	out << "</svg>\n";
 	return out.str();
 }
-
-void writeText(const std::string& file, const std::string& text)
-{
-	std::ofstream out(file);
-	out << text;
-	out.close();
-	if (!out)
-		throw std::runtime_error("cannot write '" + file + "': is its folder there, and may it be written to?");
-}
 }  // namespace ep

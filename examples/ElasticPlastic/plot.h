@@ -37,9 +37,6 @@ struct Plot
 
 /// The next of 1, 2, 5 times a power of ten that is not smaller: a distance of ticks.
 double roundUp(double value);
-
-/// Throws std::runtime_error, with the file's name, if it cannot be written.
-void writeText(const std::string& file, const std::string& text);
 }  // namespace ep
 
 #endif  // EP_PLOT_H

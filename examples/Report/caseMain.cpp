@@ -48,8 +48,8 @@ json recordsOf(const Options& o, const ep::Problem& problem)
 	for (int round = 0; round < o.repeats; ++round)
 		for (size_t i = 0; i < settings.size(); ++i)
 		{
-			// What takes seconds needs no median.
-			if (round > 0 && times[i][0] > 1)
+			// What takes long needs no median.
+			if (round > 0 && times[i][0] > 0.3)
 				continue;
 			ep::Stepping stepping = o.stepping;
 			stepping.error = settings[i].budget;

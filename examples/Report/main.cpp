@@ -12,7 +12,7 @@
 #include "Problem.h"
 #include "Records.h"
 #include "Runner.h"
-#include "plot.h"
+#include "outputFiles.h"
 
 namespace
 {
@@ -23,7 +23,7 @@ struct Options
 	std::string out = "report", shard;
 	std::vector<std::string> problems;
 	int jobs = 1, repeats = 3;
-	bool quick = false, list = false, merge = false;
+	bool quick = false, few = false, list = false;
 };
 
 std::vector<std::string> allProblems()
@@ -84,13 +84,28 @@ std::string today()
 	return text;
 }
 
+/// Cases of few and of all settings have the same names: a folder is for one or the other.
+void checkSettings(const fs::path& out, bool few)
+{
+	const fs::path file = out / "settings.txt";
+	const std::string mine = few ? "few" : "all";
+	std::string begun = mine;
+	std::ifstream(file) >> begun;
+	if (begun != mine)
+		throw std::runtime_error("the report in '" + out.string() + "' was begun with " + begun +
+								 " settings, now it is to have " + mine + ": give another folder (--out)");
+	fs::create_directories(out);
+	ep::writeText(file.string(), mine + "\n");
+}
+
 void run(const Options& o, const char* self)
 {
+	checkSettings(o.out, o.quick || o.few);
 	ep::RunnerSettings settings;
 	settings.programs = programsBeside(self);
 	settings.folder = (fs::path(o.out) / "cases").string();
 	settings.jobs = o.jobs;
-	settings.quick = o.quick;
+	settings.quick = o.quick || o.few;
 	settings.repeats = o.quick ? 1 : o.repeats;
 	std::vector<std::string> precisions;
 	for (const auto& program : settings.programs)
@@ -135,6 +150,7 @@ int main(int argc, char** argv)
 	CLI::App app("Error against run time: every reference problem by every method");
 	app.add_option("--out", o.out, "Folder for the report; a report begun there goes on")->capture_default_str();
 	app.add_flag("--quick", o.quick, "Few steps and methods: some minutes");
+	app.add_flag("--few", o.few, "All steps, but few methods: half an hour in place of hours");
 	app.add_option("--problem", o.problems, "Only this problem; may be given several times")
 		->check(CLI::IsMember(allProblems()));
 	app.add_option("--jobs", o.jobs, "Cases computed at the same time; 1 for times that can be trusted")
