@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "HtmlParts.h"
+#include "Tables.h"
 
 namespace ep
 {
@@ -19,9 +20,8 @@ std::string htmlOf(const ByProblem& problems, const std::vector<TrialRecord>& tr
 	for (const auto& line : stamp)
 		out << "<tr><td>" << line.first << "</td><td>" << line.second << "</td></tr>";
 	out << "</table>\n";
-	writeOverview(out, problems);
-	writeProfiles(out, problems);
-	writeParts(out, problems);
+	for (const Grid& grid : {overviewOf(problems), profileOf(problems), partsOf(problems)})
+		out << grid.html();
 	writeStability(out, trials);
 	for (const std::string& name : problems.names)
 	{

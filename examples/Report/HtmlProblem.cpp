@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Families.h"
+#include "Grid.h"
 #include "HtmlParts.h"
 #include "Judgement.h"
 #include "Pictures.h"
@@ -11,6 +13,13 @@ namespace ep
 {
 namespace
 {
+std::string milliseconds(double seconds)
+{
+	char text[32];
+	snprintf(text, sizeof text, "%.3g ms", 1e3 * seconds);
+	return text;
+}
+
 void budgets(std::ostream& out, const Selection& records)
 {
 	// Whoever uses Bullet has a choice of its settings, not of engines.

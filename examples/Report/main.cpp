@@ -12,6 +12,7 @@
 #include "Problem.h"
 #include "Records.h"
 #include "Runner.h"
+#include "Tables.h"
 #include "outputFiles.h"
 
 namespace
@@ -134,7 +135,10 @@ void run(const Options& o, const char* self)
 	const ep::ByProblem problems(records);
 	ep::writeText((out / "report.html").string(), ep::htmlOf(problems, ep::trialsOf(merged.trials), stamp));
 	fs::create_directories(out / "pictures");
-	ep::writeText((out / "pictures" / "overview.svg").string(), ep::overviewPicture(problems));
+	const std::pair<const char*, ep::Grid> tables[] = {
+		{"overview", ep::overviewOf(problems)}, {"profile", ep::profileOf(problems)}, {"parts", ep::partsOf(problems)}};
+	for (const auto& [name, grid] : tables)
+		ep::writeText((out / "pictures" / (std::string(name) + ".svg")).string(), grid.svg());
 	for (const std::string& name : problems.names)
 		ep::writeText((out / "pictures" / (name + ".svg")).string(),
 					  ep::problemPicture(name, ep::comparedOf(problems.records.at(name))));
