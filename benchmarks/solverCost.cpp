@@ -8,6 +8,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "StiffStructure.h"
+#include "outputFiles.h"
 #include "plot.h"
 
 namespace

@@ -31,13 +31,6 @@ void addJoint(Drawing& drawing, const World& world, const btElasticPlasticJoint&
 }
 }  // namespace
 
-Colour jointColour(double utilisation, double damage)
-{
-	// Painted steel rather than pure lamps.
-	const btVector3 c = btElasticPlasticColour(btScalar(utilisation), btScalar(damage));
-	return {float(c.x()) * .74f + .02f, float(c.y()) * .50f + .02f, .03f};
-}
-
 void addBeam(Drawing& drawing, const World& world, const Beam& beam, const Colour& colour, float gloss, bool skin)
 {
 	const BeamSettings& s = beam.settings();

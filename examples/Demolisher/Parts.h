@@ -27,9 +27,6 @@ void addBeam(Drawing& drawing, const World& world, const Beam& beam, const Colou
 /// A mark of a size at each joint of a beam; at a broken one on both of its ends.
 void addJoints(Drawing& drawing, const World& world, const Beam& beam, const btVector3& size);
 
-/// Green over yellow to red with utilisation, darker with damage.
-Colour jointColour(double utilisation, double damage);
-
 /// Of what is torn.
 extern const Colour TORN;
 }  // namespace ep

@@ -1,7 +1,16 @@
 #include "Drawing.h"
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticDebugDraw.h"
+
 namespace ep
 {
+Colour jointColour(double utilisation, double damage)
+{
+	// Painted steel rather than pure lamps.
+	const btVector3 c = btElasticPlasticColour(btScalar(utilisation), btScalar(damage));
+	return {float(c.x()) * .74f + .02f, float(c.y()) * .50f + .02f, .03f};
+}
+
 Part prismPart(const btTransform& pose, const std::vector<btVector3>& profile, btScalar width, const Colour& colour,
 			   float gloss)
 {

@@ -14,6 +14,9 @@ struct Colour
 	float r, g, b;
 };
 
+/// Of a joint: green over yellow to red with utilisation, darker with damage.
+Colour jointColour(double utilisation, double damage);
+
 /// A thing to draw: a convex profile in the x-y plane of its pose, drawn out along z. SI units.
 struct Part
 {

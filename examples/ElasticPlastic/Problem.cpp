@@ -27,6 +27,8 @@ btScalar Run::next()
 
 void Run::substep(btScalar dt)
 {
+	if (m_stepping.watch && m_time == 0)
+		m_stepping.watch(m_world, 0);
 	m_audit.begin();
 	const auto begin = std::chrono::steady_clock::now();
 	m_world.step(dt);
@@ -37,6 +39,8 @@ void Run::substep(btScalar dt)
 	++m_outcome.substeps;
 	m_time += double(dt);
 	m_outcome.simulated += double(dt);
+	if (m_stepping.watch)
+		m_stepping.watch(m_world, m_time);
 }
 
 Run::~Run()

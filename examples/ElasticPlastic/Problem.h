@@ -1,6 +1,7 @@
 #ifndef EP_PROBLEM_H
 #define EP_PROBLEM_H
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct Stepping
 	double step = 1. / 60;  ///< [s]
 	int substeps = 1;
 	double error = 0;  ///< above 0: as many substeps as btElasticPlasticStepControl takes for this error
+	std::function<void(World& world, double time)> watch =
+		{};  ///< called at the beginning of a run and after each substep
 };
 
 /// Steps a world, and keeps account of time and energy.
