@@ -52,6 +52,9 @@ btScalar DemolisherSettings::placeOf(Scene scene) const
 
 btScalar DemolisherSettings::startOf(Scene scene) const
 {
+	// With all wheels off the ramp.
+	if (scene == Scene::Fence && has(Scene::Bridge))
+		return rampFoot() + 5;
 	if (scene != Scene::Bridge)
 		return placeOf(scene) - 25;
 	return -rampFoot() - (has(Scene::Gate) ? 5 : 18);

@@ -1,6 +1,7 @@
 #ifndef EP_DEMOLISHER_H
 #define EP_DEMOLISHER_H
 
+#include <cmath>
 #include <memory>
 
 #include "Autopilot.h"
@@ -71,6 +72,9 @@ struct DemolisherSummary
 	int asleep = 0;                          ///< bodies
 	double time = 0;                         ///< simulated [s]
 	double realTimeFactor = 0;               ///< simulated time over time spent on it, drawing excluded
+
+	/// Some joints fly apart at some steps.
+	bool isFinite() const { return std::isfinite(kineticEnergy + elasticEnergy); }
 };
 
 class Demolisher

@@ -60,8 +60,8 @@ void DemolisherScene::dashboard(Panel& panel)
 	panel.text(format("Of %d joints %d yielded, %d broken", s.joints, s.yielded, s.broken));
 	if (m_demolisher->bridge())
 		panel.text(format("The bridge sags by %.3f m", s.sag));
-	if (!std::isfinite(s.kineticEnergy + s.elasticEnergy))
-		panel.text("Something has flown apart: these joints do not bear\nthis step. Choose others, or smaller steps.");
+	if (!s.isFinite())
+		panel.text("Something has flown apart: these joints\ndo not bear this step.\nChoose others, or smaller steps.");
 	panel.check("autopilot", m_autopilot);
 	panel.shares({{"kinetic", {.05f, .25f, .55f}, s.kineticEnergy / 1000},
 				  {"elastic", {.05f, .45f, .10f}, s.elasticEnergy / 1000},

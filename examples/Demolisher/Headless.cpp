@@ -73,6 +73,9 @@ DemolisherSummary runHeadless(const DemolisherSettings& settings, const Headless
 
 	const DemolisherSummary summary = demolisher.summary();
 	tell(summary);
+	if (!summary.isFinite())
+		std::printf(
+			"  Something has flown apart: these joints do not bear this step. Choose others, or smaller steps.\n");
 	std::printf("  joints %s\n", writeFile(headless.out, "joints.csv", log.jointsCsv()).c_str());
 	std::printf("  summary %s\n", writeFile(headless.out, "summary.json", log.summary()).c_str());
 	return summary;

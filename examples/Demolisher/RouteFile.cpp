@@ -67,7 +67,8 @@ Route readRoute(const std::string& file)
 	{
 		json = Json::parse(stream);
 	}
-	catch (const Json::parse_error& error)
+	// A syntax error, a number without bounds, or a directory.
+	catch (const std::exception& error)
 	{
 		refuse(where + " is no JSON: " + error.what());
 	}

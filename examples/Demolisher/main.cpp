@@ -109,6 +109,10 @@ int main(int argc, char** argv)
 	CLI11_PARSE(app, argc, argv);
 	try
 	{
+		const bool filmed = !options.screenshot.empty() || !options.record.empty();
+		if (filmed && (options.isHeadless || options.figure11 || options.compares))
+			throw std::runtime_error(
+				"--screenshot and --record need the window, which --headless, --figure-11 and --compare do without");
 		if (options.list)
 			std::cout << ep::DemolisherOptions::list();
 		else if (options.compares)

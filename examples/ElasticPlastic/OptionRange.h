@@ -20,7 +20,8 @@ CLI::Validator optionRange(double low, double high)
 		if (!CLI::detail::lexical_cast(text, value))
 			return "'" + text + "' is no " + (std::is_integral<Number>::value ? "whole " : "") +
 				   "number; it must be from " + range;
-		if (!(double(value) >= low && double(value) <= high))
+		// In the number's own precision: .1f is more than .1.
+		if (!(value >= Number(low) && value <= Number(high)))
 			return "'" + text + "' is out of range; it must be from " + range;
 		return std::string();
 	};
