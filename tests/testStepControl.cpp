@@ -23,7 +23,7 @@ Outcome solve(const char* problem, double error)
 	return findProblem(problem)->solve(Solver::Direct, stepping);
 }
 
-/// The estimate is good to a factor of 3 (btElasticPlasticStepControl.h).
+/// The estimate is of the error's size, no bound of it (btElasticPlasticStepControl.h): three times what is allowed.
 TEST(StepControl, KeepsToTheErrorThatIsAllowed)
 {
 	for (const char* name :

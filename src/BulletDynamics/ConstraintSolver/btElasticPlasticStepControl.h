@@ -27,8 +27,8 @@ subject to the following restrictions:
 ///
 ///     T = sum of open work / (kinetic energy + plastic energy + energy of the springs at yield),
 ///
-/// of an island, it is close to the error in how much flows, within a factor of 3 from 60 to 4000 steps a second, for single
-/// degrees of freedom as for beams under blows (docs/performance.md). So h is made so short that T stays below the error
+/// of an island, it is of the size of the error in how much flows or above it, for single degrees of freedom as for beams
+/// under blows, down to errors of a per cent (docs/performance.md). So h is made so short that T stays below the error
 /// allowed, and doubled after some steps of calm.
 ///
 /// Only degrees of freedom count that have flowed or may reach half of their yield value within a step, by their force's rate
