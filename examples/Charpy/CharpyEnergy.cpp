@@ -25,17 +25,6 @@ void CharpyEnergy::reset()
 		c.work = 0;
 }
 
-double CharpyEnergy::kinetic(const btRigidBody& body, const btMatrix3x3& basis)
-{
-	if (body.getInvMass() == 0)
-		return 0;
-	double energy = 0.5 * double(body.getLinearVelocity().length2()) / double(body.getInvMass());
-	const btVector3 spin = basis.transpose() * body.getAngularVelocity();
-	for (int i = 0; i < 3; ++i)
-		energy += 0.5 * double(spin[i]) * double(spin[i]) / double(body.getInvInertiaDiagLocal()[i]);
-	return energy;
-}
-
 double CharpyEnergy::potential(const btRigidBody& body)
 {
 	if (body.getInvMass() == 0)
@@ -117,7 +106,7 @@ void CharpyEnergy::afterStep(btScalar dt)
 		const Before& b = m_before[i];
 		const btVector3 moved = body.getWorldTransform().getOrigin() - b.centre,
 						mean = (b.linear + body.getLinearVelocity()) * (dt / 2);
-		m_integration += kinetic(body) - kinetic(body, b.basis) -
+		m_integration += kinetic(body) - kineticEnergy(body, b.basis) -
 						 double(body.getGravity().dot(moved - mean)) / double(body.getInvMass());
 	}
 }

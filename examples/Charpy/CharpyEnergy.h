@@ -31,8 +31,7 @@ public:
 	/// turns bodies at constant angular velocity instead of constant angular momentum.
 	double integrationWork() const { return m_integration; }
 
-	static double kinetic(const btRigidBody& body, const btMatrix3x3& basis);
-	static double kinetic(const btRigidBody& body) { return kinetic(body, body.getWorldTransform().getBasis()); }
+	static double kinetic(const btRigidBody& body) { return kineticEnergy(body, body.getWorldTransform().getBasis()); }
 	static double potential(const btRigidBody& body);
 
 private:

@@ -237,19 +237,23 @@ void World::substep(btScalar dt)
 	m_whole.erase(std::remove_if(m_whole.begin(), m_whole.end(), goes), m_whole.end());
 }
 
+double kineticEnergy(const btRigidBody& body, const btMatrix3x3& basis)
+{
+	if (body.getInvMass() == 0)
+		return 0;
+	double energy = 0.5 * double(body.getLinearVelocity().length2()) / double(body.getInvMass());
+	const btVector3 spin = basis.transpose() * body.getAngularVelocity();
+	for (int i = 0; i < 3; ++i)
+		if (body.getInvInertiaDiagLocal()[i] > 0)
+			energy += 0.5 * double(spin[i]) * double(spin[i]) / double(body.getInvInertiaDiagLocal()[i]);
+	return energy;
+}
+
 double World::kineticEnergy() const
 {
 	double energy = 0;
 	for (const auto& body : m_bodies)
-	{
-		if (body->getInvMass() == 0)
-			continue;
-		energy += 0.5 * double(body->getLinearVelocity().length2()) / double(body->getInvMass());
-		const btVector3 spin = body->getCenterOfMassTransform().getBasis().transpose() * body->getAngularVelocity();
-		for (int i = 0; i < 3; ++i)
-			if (body->getInvInertiaDiagLocal()[i] > 0)
-				energy += 0.5 * double(spin[i]) * double(spin[i]) / double(body->getInvInertiaDiagLocal()[i]);
-	}
+		energy += ep::kineticEnergy(*body, body->getCenterOfMassTransform().getBasis());
 	return energy;
 }
 }  // namespace ep

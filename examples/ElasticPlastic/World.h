@@ -14,6 +14,9 @@
 
 namespace ep
 {
+/// With its velocities and the orientation given, which may be that of another time [J].
+double kineticEnergy(const btRigidBody& body, const btMatrix3x3& basis);
+
 /// A Bullet world with its parts, its elastic-plastic action, and all that scenes add to it. Owns everything.
 class World
 {

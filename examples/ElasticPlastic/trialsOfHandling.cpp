@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "Cantilever.h"
+#include "Shorthand.h"
 #include "Trials.h"
 
 namespace ep
@@ -9,19 +10,6 @@ namespace ep
 namespace
 {
 const double STEP = 1. / 60;
-
-btTransform at(double x, double y = 0)
-{
-	return btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(x), btScalar(y), 0));
-}
-
-btElasticPlasticCapacity even(double stiffness, double yield)
-{
-	btElasticPlasticCapacity capacity;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		capacity.set(i, btScalar(stiffness), btScalar(yield));
-	return capacity;
-}
 
 /// A cube of 100 kg that hangs from a fixed one.
 struct Pair
@@ -43,7 +31,7 @@ struct Pair
 
 Verdict capacityOf(const Method& method, double yield)
 {
-	Pair pair(method, even(1e6, yield));
+	Pair pair(method, evenCapacity(1e6, yield));
 	Watch watch(pair.m_world);
 	watch.run(1, STEP);
 	const double v = -double(pair.m_body->getLinearVelocity().y());
@@ -53,7 +41,7 @@ Verdict capacityOf(const Method& method, double yield)
 
 Verdict infiniteCapacity(const Method& method)
 {
-	Pair pair(method, even(1e6, std::numeric_limits<double>::infinity()));
+	Pair pair(method, evenCapacity(1e6, std::numeric_limits<double>::infinity()));
 	Watch watch(pair.m_world);
 	watch.run(1, STEP);
 	// Refused with a message: it is not in the simulation.
@@ -63,7 +51,7 @@ Verdict infiniteCapacity(const Method& method)
 /// Both anchors at both centres of mass.
 Verdict coincident(const Method& method)
 {
-	Pair pair(method, even(1e6, btElasticPlasticCapacity::unlimited()), 10, 0);
+	Pair pair(method, evenCapacity(1e6, btElasticPlasticCapacity::unlimited()), 10, 0);
 	Watch watch(pair.m_world);
 	watch.run(3, STEP);
 	return watch.verdict(-double(pair.m_body->getCenterOfMassPosition().y()), 1e-3, 2e-5);
@@ -80,7 +68,7 @@ Verdict misaligned(const Method& method)
 							btVector3(btScalar(0.01), btScalar(0.5), 0));
 	auto* joint = new btElasticPlastic6DofSpring2Constraint(*support, *body, at(0, -0.5), askew);
 	world.add(joint);
-	joint->setCapacity(even(1e6, btElasticPlasticCapacity::unlimited()));
+	joint->setCapacity(evenCapacity(1e6, btElasticPlasticCapacity::unlimited()));
 	world.action().addJoint(joint);
 	body->setDamping(btScalar(0.5), btScalar(0.5));
 	double largest = 0;
@@ -103,7 +91,7 @@ Verdict misaligned(const Method& method)
 /// A kinematic support shakes by 0.1 m at 1 Hz: the body follows.
 Verdict shaken(const Method& method)
 {
-	Pair pair(method, even(1e6, btElasticPlasticCapacity::unlimited()), 0);
+	Pair pair(method, evenCapacity(1e6, btElasticPlasticCapacity::unlimited()), 0);
 	pair.m_support->setCollisionFlags(pair.m_support->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
 	Verdict verdict;
 	for (int i = 1; i <= 240; ++i)
@@ -122,7 +110,7 @@ Verdict shaken(const Method& method)
 /// A structure is put elsewhere as a whole, again and again: it hangs as before.
 Verdict teleportedWhole(const Method& method)
 {
-	Pair pair(method, even(1e6, 2000));
+	Pair pair(method, evenCapacity(1e6, 2000));
 	Watch watch(pair.m_world);
 	watch.run(2, STEP);
 	for (int i = 0; i < 10; ++i)
@@ -142,7 +130,7 @@ Verdict teleportedWhole(const Method& method)
 /// One of two bodies is put 5 m away: what the joint takes then is plastic flow.
 Verdict teleportedApart(const Method& method)
 {
-	Pair pair(method, even(1e6, 2000), 0);
+	Pair pair(method, evenCapacity(1e6, 2000), 0);
 	pair.m_body->setCenterOfMassTransform(at(5, -1));
 	Verdict verdict;
 	double largest = 0;
@@ -210,7 +198,7 @@ Verdict notANumber(const Method& method)
 	{
 		btRigidBody* body = world.body(12, cube, at(i), false);
 		if (i > 0)
-			world.joint(*world.bodies()[i - 1], *body, at(i - 0.5), even(1e5, 1e3));
+			world.joint(*world.bodies()[i - 1], *body, at(i - 0.5), evenCapacity(1e5, 1e3));
 	}
 	for (int i = 0; i < 60; ++i)
 	{

@@ -2,6 +2,7 @@
 
 #include "BeamOnSupports.h"
 #include "Cantilever.h"
+#include "Shorthand.h"
 #include "Trials.h"
 
 namespace ep
@@ -75,9 +76,7 @@ Verdict softSprings(const Method& method, double stiffness, double rate, double 
 {
 	World world(method, btVector3(0, 0, 0));
 	btCollisionShape* cube = world.box(btVector3(1, 1, 1));
-	btElasticPlasticCapacity capacity;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		capacity.set(i, btScalar(stiffness), btElasticPlasticCapacity::unlimited());
+	const btElasticPlasticCapacity capacity = evenCapacity(stiffness);
 	for (int i = 0; i < 3; ++i)
 	{
 		const btTransform place(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i), 0, 0));

@@ -1,5 +1,5 @@
-#ifndef EP_TEST_SHORTHAND_H
-#define EP_TEST_SHORTHAND_H
+#ifndef EP_SHORTHAND_H
+#define EP_SHORTHAND_H
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
@@ -27,4 +27,4 @@ inline bool isFinite(const btRigidBody& body)
 		   btElasticPlasticIsFinite(body.getAngularVelocity().length());
 }
 
-#endif  // EP_TEST_SHORTHAND_H
+#endif  // EP_SHORTHAND_H
