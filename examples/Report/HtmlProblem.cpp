@@ -27,9 +27,9 @@ void budgets(std::ostream& out, const Selection& records)
 	for (const Record* r : records)
 		(r->isOutside() ? outside : bullets).push_back(r);
 	const char* const heads = "</th><th>Error</th><th>Run time per second</th>";
-	out << "<table><tr><th>Error allowed</th><th>Quickest setting" << heads;
+	out << "<table><tr><th>Error allowed</th><th>Recommended setting" << heads;
 	if (!outside.empty())
-		out << "<th>Quickest of another engine" << heads;
+		out << "<th>Of another engine" << heads;
 	out << "</tr>\n";
 	for (const double budget : {0.1, 0.01, 0.001})
 	{
@@ -38,14 +38,16 @@ void budgets(std::ostream& out, const Selection& records)
 		{
 			if (choice->empty())
 				continue;
-			const Record* best = quickestWithin(*choice, budget);
+			const Record* best = quickestReliable(*choice, budget);
 			out << "<td>" << (best ? best->setting() : "none of those tried") << "</td><td>"
 				<< (best ? percent(best->error) : "") << "</td><td>" << (best ? milliseconds(best->cost()) : "")
 				<< "</td>";
 		}
 		out << "</tr>\n";
 	}
-	out << "</table>\n";
+	out << "</table>\n<p>Recommended is the quickest that keeps to the error with every finer step as well; the "
+		   "profile "
+		   "finds the step by itself.</p>\n";
 	if (!outside.empty())
 		out << "<p>ODE's fixed joints have its default ERP and CFM and hardly give way. Its springs are ball joints "
 			   "and angular motors that ERP and CFM give the section's stiffness; a fixed joint cannot be given one "

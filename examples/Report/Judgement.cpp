@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace ep
 {
@@ -26,6 +28,30 @@ const Record* quickestWithin(const std::vector<const Record*>& records, double e
 		if (record->error <= error && (!best || record->cost() < best->cost()))
 			best = record;
 	return best;
+}
+
+const Record* quickestReliable(const std::vector<const Record*>& records, double error)
+{
+	// All but the step makes a method; its finest step that fails spoils those as coarse and coarser.
+	const auto methodOf = [](const Record* r)
+	{ return std::make_tuple(r->scheme, r->solver, r->jointClass, r->precision, r->iterations, r->budget); };
+	std::map<decltype(methodOf(nullptr)), double> failing;
+	const auto substepOf = [](const Record* r) { return r->dt / r->substeps; };
+	for (const Record* r : records)
+		if (!(r->error <= error))
+		{
+			const auto known = failing.emplace(methodOf(r), substepOf(r)).first;
+			known->second = std::min(known->second, substepOf(r));
+		}
+	std::vector<const Record*> reliable;
+	for (const Record* r : records)
+	{
+		const auto known = failing.find(methodOf(r));
+		// The same substep may come as a step of its own.
+		if (known == failing.end() || substepOf(r) < known->second * (1 - 1e-6))
+			reliable.push_back(r);
+	}
+	return quickestWithin(reliable, error);
 }
 
 double orderOf(const std::vector<const Record*>& records, const std::string& family)
