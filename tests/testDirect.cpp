@@ -169,13 +169,13 @@ TEST(DirectAccuracy, PortalStandsBelowItsCollapseLoads)
 	{
 		PortalFrame portal{PortalFrame::Settings()};
 		const double v = loads[0] * portal.plasticMoment() / 4, h = loads[1] * portal.plasticMoment() / 3;
-		const double factor = 0.98 * portal.collapseFactor(v, h);
-		EXPECT_NEAR(0.98, factor, 1e-5);
+		const double factor = 0.99 * portal.collapseFactor(v, h);
+		EXPECT_NEAR(0.99, factor, 1e-5);
 		loadSlowly(portal.m_world,
 				   [&portal, factor, v, h](double share) { portal.load(share * factor * v, share * factor * h); });
-		// Elastic and partly plastic it gives by 3 cm.
-		EXPECT_LT(double(portal.sag() + portal.sway()), 0.05);
-		// At rest: 3 t that creep with 1e-4 m/s have 1.5e-5 J.
+		// Elastic and partly plastic it gives by half a centimetre.
+		EXPECT_LT(double(portal.sag() + portal.sway()), 0.01);
+		// At rest: 13 t that creep with 1e-4 m/s have 6e-5 J.
 		EXPECT_LT(portal.m_world.kineticEnergy(), 1e-5);
 		EXPECT_EQ(0, statisticsOf(portal.m_world).m_fallbacks);
 	}
@@ -187,7 +187,7 @@ TEST(DirectAccuracy, PortalCollapsesAboveItsCollapseLoads)
 	{
 		PortalFrame portal{PortalFrame::Settings()};
 		const double v = loads[0] * portal.plasticMoment() / 4, h = loads[1] * portal.plasticMoment() / 3;
-		const double factor = 1.02 * portal.collapseFactor(v, h);
+		const double factor = 1.01 * portal.collapseFactor(v, h);
 		for (int i = 0; i < 180 && double(portal.sag() + portal.sway()) < 0.5; ++i)
 		{
 			const double share = std::min(1., (i + 1) / 60.);

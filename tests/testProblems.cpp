@@ -10,26 +10,39 @@ using namespace ep;
 
 /// Largest error of a problem's first quantity at 1/240 and 1/960 s. Those of one degree of freedom fall by the square of the
 /// step once it resolves the motion (period 67 ms), with jumps where yield begins in the middle of a step; beams and frames
-/// have the error of their lumping and of the search for the load (a thousandth); a cantilever that swings loses its deeper
-/// half-periods first; a travelling hinge and a blow on contacts are of first order at best.
+/// have the error of their lumping, of the elastic sway that limit analysis does not know, and of the search for the load (a
+/// thousandth each); a cantilever that swings loses its deeper half-periods first; a travelling hinge and a blow on contacts
+/// are of first order at best.
 struct Bound
 {
 	const char* name;
 	double coarse, fine;
 };
 const Bound BOUNDS[] = {
-	{"block-released", 0.05, 0.005},      {"block-reversed-60kN", 0.25, 0.015},
-	{"block-reversed-90kN", 0.02, 0.005}, {"block-overloaded", 0.01, 0.0025},
-	{"sudden-load-1", 0.01, 0.001},       {"sudden-load-3", 0.02, 0.005},
-	{"sudden-load-10", 0.05, 0.005},      {"twisted-bar", 0.02, 0.002},
-	{"cyclic-bending", 0.02, 0.002},      {"cantilever-at-rest", 0.0001, 0.0001},
-	{"cantilever-swinging", 0.01, 0.01},  {"hanging-chain", 0.001, 0.001},
-	{"beam-simple", 0.01, 0.01},          {"beam-propped", 0.01, 0.01},
-	{"beam-fixed", 0.01, 0.01},           {"beam-simple-uniform", 0.01, 0.01},
-	{"beam-propped-uniform", 0.01, 0.01}, {"beam-fixed-uniform", 0.01, 0.01},
-	{"portal-beam", 0.02, 0.02},          {"portal-sway", 0.02, 0.02},
-	{"portal-both", 0.02, 0.02},          {"hinge-stops-body", 0.015, 0.001},
-	{"parkes-heavy", 0.25, 0.1},          {"parkes-light", 0.6, 0.3},
+	{"block-released", 0.05, 0.005},
+	{"block-reversed-60kN", 0.25, 0.015},
+	{"block-reversed-90kN", 0.02, 0.005},
+	{"block-overloaded", 0.01, 0.0025},
+	{"sudden-load-1", 0.01, 0.001},
+	{"sudden-load-3", 0.02, 0.005},
+	{"sudden-load-10", 0.05, 0.005},
+	{"twisted-bar", 0.02, 0.002},
+	{"cyclic-bending", 0.02, 0.002},
+	{"cantilever-at-rest", 0.0001, 0.0001},
+	{"cantilever-swinging", 0.01, 0.01},
+	{"hanging-chain", 0.001, 0.001},
+	{"beam-simple", 0.003, 0.003},
+	{"beam-propped", 0.003, 0.003},
+	{"beam-fixed", 0.003, 0.003},
+	{"beam-simple-uniform", 0.003, 0.003},
+	{"beam-propped-uniform", 0.003, 0.003},
+	{"beam-fixed-uniform", 0.003, 0.003},
+	{"portal-beam", 0.005, 0.005},
+	{"portal-sway", 0.005, 0.005},
+	{"portal-both", 0.005, 0.005},
+	{"hinge-stops-body", 0.015, 0.001},
+	{"parkes-heavy", 0.25, 0.1},
+	{"parkes-light", 0.6, 0.3},
 	{"dropped-mass", 0.08, 0.06},
 };
 

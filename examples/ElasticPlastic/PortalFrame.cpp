@@ -16,8 +16,8 @@ btTransform pose(btScalar angle, btScalar x, btScalar y)
 PortalFrame::Settings::Settings()
 {
 	member.parts = 6;
-	member.width = member.height = btScalar(0.2);
-	member.material.m_yieldStress = btScalar(100e6);
+	member.width = member.height = btScalar(0.4);
+	member.material.m_yieldStress = btScalar(25e6);
 }
 
 PortalFrame::PortalFrame(const Settings& s)
