@@ -72,6 +72,27 @@ public:
 		step([] {});
 	}
 
+	/// Steps until a time [s]. \return mean over time of what read() tells at the ends of those substeps that begin after
+	/// another time: frames alone may be too few for a swing
+	template <class Read>
+	double meanUntil(double to, double from, const Read& read)
+	{
+		double sum = 0, span = 0;
+		while (stepsUntil(to) > 0)
+		{
+			begin();
+			for (btScalar length; (length = next()) > 0;)
+			{
+				const bool counts = m_time > from - m_stepping.step / 2;
+				const double before = read();
+				substep(length);
+				sum += counts ? (before + read()) / 2 * double(length) : 0;
+				span += counts ? double(length) : 0;
+			}
+		}
+		return span > 0 ? sum / span : read();
+	}
+
 	/// Steps until a time [s], hit within half a step, that comes after the present one.
 	int stepsUntil(double time) const { return int((time - m_time) / m_stepping.step + 0.5); }
 	double time() const { return m_time; }

@@ -11,22 +11,6 @@ namespace ep
 {
 namespace
 {
-/// Mean of what read() tells between two times [s].
-template <class Read>
-double meanOf(Run& run, double from, double to, const Read& read)
-{
-	while (run.stepsUntil(from) > 0)
-		run.step();
-	double sum = 0;
-	int count = 0;
-	for (; run.stepsUntil(to) > 0; ++count)
-	{
-		run.step();
-		sum += read();
-	}
-	return count > 0 ? sum / count : read();
-}
-
 Outcome cantileverAtRest(const Method& method, const Stepping& stepping)
 {
 	Cantilever::Settings settings;
@@ -34,7 +18,7 @@ Outcome cantileverAtRest(const Method& method, const Stepping& stepping)
 	Cantilever cantilever(settings);
 	Outcome outcome;
 	Run run(cantilever.m_world, stepping, outcome);
-	const double sag = meanOf(run, 1, 1.5, [&] { return double(cantilever.sag()); });
+	const double sag = run.meanUntil(1.5, 1, [&] { return double(cantilever.sag()); });
 	outcome.quantities = {{"sag of the tip [m]", sag, cantilever.staticSag()}};
 	return outcome;
 }
@@ -69,7 +53,8 @@ Outcome cantileverSwinging(const Method& method, const Stepping& stepping)
 		++pendingSteps;
 		before = sag;
 	}
-	outcome.quantities = {{"mean sag of the tip [m]", counted > 0 ? meanSoFar : before, cantilever.staticSag()}};
+	// By explicit integration (tests/testReferences.cpp); so far from straight it is half a per cent less than by statics.
+	outcome.quantities = {{"mean sag of the tip [m]", counted > 0 ? meanSoFar : before, 0.58358}};
 	return outcome;
 }
 
@@ -80,7 +65,7 @@ Outcome hangingChain(const Method& method, const Stepping& stepping)
 	HangingChain chain(settings);
 	Outcome outcome;
 	Run run(chain.m_world, stepping, outcome);
-	const double stretch = meanOf(run, 1.5, 2, [&] { return double(chain.stretch()); });
+	const double stretch = run.meanUntil(2, 1.5, [&] { return double(chain.stretch()); });
 	outcome.quantities = {{"stretch [m]", stretch, chain.staticStretch()}};
 	return outcome;
 }
@@ -181,7 +166,8 @@ std::vector<Problem> problemsOfBeams()
 	const char* const limit = "limit analysis";
 	return {
 		{"cantilever-at-rest", "2 m of steel in ten blocks", rest, cantileverAtRest},
-		{"cantilever-swinging", "10 m of steel in twenty blocks, let go", rest, cantileverSwinging},
+		{"cantilever-swinging", "10 m of steel in twenty blocks, let go", "explicit integration at 10 us",
+		 cantileverSwinging},
 		{"hanging-chain", "six steel blocks, the last a thousand times heavier", rest, hangingChain},
 		{"beam-simple", "load at mid span, ends hinged", limit, beamOf<Supports::Simple, false>},
 		{"beam-propped", "load at mid span, one end clamped", limit, beamOf<Supports::Propped, false>},

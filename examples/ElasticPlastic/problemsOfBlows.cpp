@@ -33,9 +33,8 @@ Outcome hingeStopsBody(const Method& method, const Stepping& stepping)
 	return outcome;
 }
 
-/// The cantilever struck at its tip: mean over the last third of the time, in which it swings about where it stays.
-Outcome parkes(const Method& method, const Stepping& stepping, btScalar tipMass, btScalar velocity, double time,
-			   double tip)
+/// The cantilever struck at its tip: mean over a tenth of a second in which it swings about where it stays.
+Outcome parkes(const Method& method, const Stepping& stepping, btScalar tipMass, btScalar velocity, double tip)
 {
 	ParkesCantilever::Settings settings;
 	settings.method = method;
@@ -44,33 +43,24 @@ Outcome parkes(const Method& method, const Stepping& stepping, btScalar tipMass,
 	ParkesCantilever cantilever(settings);
 	Outcome outcome;
 	Run run(cantilever.m_world, stepping, outcome);
-	double sum = 0;
-	int count = 0;
-	while (run.stepsUntil(time) > 0)
-	{
-		run.step();
-		if (run.time() < time * 2 / 3)
-			continue;
-		sum += cantilever.tip();
-		++count;
-	}
-	outcome.quantities = {{"displacement of the tip that stays [m]", count > 0 ? sum / count : cantilever.tip(), tip}};
+	const double mean = run.meanUntil(0.2, 0.1, [&] { return cantilever.tip(); });
+	outcome.quantities = {{"displacement of the tip that stays [m]", mean, tip}};
 	return outcome;
 }
 
-// References: this solver in double with steps of 1 us (0.6367 and 0.2866 m; with 2 us 0.6374 and 0.2865 m). Parkes' own
-// formula, for small deflections and without elasticity, gives 0.582 m for the heavy mass.
+// References: explicit integration at 0.1 us (tests/testReferences.cpp). Parkes' own formula, for small deflections and without
+// elasticity, gives 0.582 m for the heavy mass.
 Outcome parkesHeavy(const Method& method, const Stepping& stepping)
 {
-	return parkes(method, stepping, btScalar(1.5), 25, 0.12, 0.6367);
+	return parkes(method, stepping, btScalar(1.5), 25, 0.61913);
 }
 Outcome parkesLight(const Method& method, const Stepping& stepping)
 {
-	return parkes(method, stepping, btScalar(0.3), 50, 0.12, 0.2866);
+	return parkes(method, stepping, btScalar(0.3), 50, 0.28831);
 }
 
-// Reference: an independent program in double with steps of 0.13 ms; with 0.065 and 0.033 ms this solver gives 0.3266 and
-// 0.3286 m.
+// Reference: this solver in double with steps of 2 us; with 4, 8, 16 and 130 us it gives 0.3322, 0.3327, 0.3299 and 0.3261 m. The
+// box and the blocks touch and part again and again: a per cent is what the answer is good for.
 Outcome droppedMass(const Method& method, const Stepping& stepping)
 {
 	BeamOnSupports::Settings settings;
@@ -80,7 +70,7 @@ Outcome droppedMass(const Method& method, const Stepping& stepping)
 	Run run(beam.m_world, stepping, outcome);
 	while (run.stepsUntil(1) > 0)
 		run.step();
-	outcome.quantities = {{"sag that stays [m]", double(beam.sag()), 0.3255}};
+	outcome.quantities = {{"sag that stays [m]", double(beam.sag()), 0.3330}};
 	return outcome;
 }
 }  // namespace
@@ -89,9 +79,11 @@ std::vector<Problem> problemsOfBlows()
 {
 	return {
 		{"hinge-stops-body", "a turning body that a hinge brings to rest", "conservation of energy", hingeStopsBody},
-		{"parkes-heavy", "a cantilever struck at its tip, mass ratio 0.96", "own solution at 1 us", parkesHeavy},
-		{"parkes-light", "a cantilever struck at its tip, mass ratio 0.19", "own solution at 1 us", parkesLight},
-		{"dropped-mass", "2 t dropped on a beam that lies on supports", "solution at 0.13 ms", droppedMass},
+		{"parkes-heavy", "a cantilever struck at its tip, mass ratio 0.96", "explicit integration at 0.1 us",
+		 parkesHeavy},
+		{"parkes-light", "a cantilever struck at its tip, mass ratio 0.19", "explicit integration at 0.1 us",
+		 parkesLight},
+		{"dropped-mass", "2 t dropped on a beam that lies on supports", "own solution at 2 us", droppedMass},
 	};
 }
 }  // namespace ep
