@@ -103,11 +103,21 @@ void btElasticPlasticStepControl::lookAhead(btDynamicsWorld& world)
 	for (int i = 0; i < objects.size(); ++i)
 	{
 		btRigidBody* const body = btRigidBody::upcast(objects[i]);
-		if (body && body->getInvMass() > 0 && body->isActive())
+		if (body && (body->getInvMass() > 0 || body->isKinematicObject()) && body->isActive())
 			approach.look(*body, length);
 	}
 	while (m_level < MAX_LEVEL && approach.m_rate * double(m_dt) > double(1 << m_level))
 		++m_level;
+}
+
+/// Gives the world its error reduction back.
+void btElasticPlasticStepControl::restore(btDynamicsWorld& world)
+{
+	if (!m_isUnderWay)
+		return;
+	world.getSolverInfo().m_erp = m_erp;
+	world.getSolverInfo().m_erp2 = m_erp2;
+	m_isUnderWay = false;
 }
 
 btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
@@ -119,9 +129,11 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	while (1 << (MAX_LEVEL - m_level) > lowestBit(m_left))
 		++m_level;
 	const btScalar share = 1 / btScalar(1 << m_level);
+	restore(world);
 	btContactSolverInfo& info = world.getSolverInfo();
 	m_erp = info.m_erp;
 	m_erp2 = info.m_erp2;
+	m_isUnderWay = true;
 	info.m_erp *= share;
 	info.m_erp2 *= share;
 	return m_dt * share;
@@ -130,7 +142,7 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 void btElasticPlasticStepControl::addBodies(const btDynamicsWorld& world)
 {
 	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
-	const Island none = {0, 0, 0, {0, 0, 0}, false};
+	const Island none = {0, 0, 0, {0, 0, 0}, 0, false};
 	m_islands.resize(0);
 	m_islands.resize(objects.size(), none);
 	for (int i = 0; i < objects.size(); ++i)
@@ -167,11 +179,23 @@ void btElasticPlasticStepControl::addJoints(btElasticPlasticAction& action, doub
 		if (tag < 0 || tag >= m_islands.size())
 			continue;
 		Island& island = m_islands[tag];
-		island.m_isHeld |= isHeld;
+		if (isHeld)
+			addSupport(island, a.isStaticOrKinematicObject() ? a : b, joint.getPosition());
 		island.m_energy += joint.getPlasticEnergy();
 		for (int r = 0; r < joint.getNumCommittedRows(); ++r)
 			addRow(island, joint, r, length);
 	}
+}
+
+/// What moves with its support has that much less to be dissipated; of several supports the one that leaves least.
+void btElasticPlasticStepControl::addSupport(Island& island, const btRigidBody& support, const btVector3& place)
+{
+	const btVector3 v = support.getVelocityInLocalPoint(place - support.getCenterOfMassPosition());
+	double carried = 0;
+	for (int k = 0; k < 3; ++k)
+		carried += double(v[k]) * (island.m_momentum[k] - 0.5 * island.m_mass * double(v[k]));
+	island.m_carried = island.m_isHeld ? btMax(island.m_carried, carried) : carried;
+	island.m_isHeld = true;
 }
 
 void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length) const
@@ -181,6 +205,9 @@ void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJ
 	joint.getCommittedRow(r, dof, before, after);
 	const btElasticPlasticCapacity& capacity = joint.getCapacity();
 	const double yield = capacity.m_yield[dof], change = fabs(double(after - before));
+	// Rigid up to yield: what has not flowed has nothing to leave open, and no energy to set the solver's rounding against.
+	if (capacity.isRigidPlastic(dof) && joint.getPlasticPath(dof) == 0)
+		return;
 	if (!capacity.isRigidPlastic(dof))
 	{
 		const double stiffness = capacity.m_stiffness[dof];
@@ -196,8 +223,7 @@ void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJ
 
 void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlasticAction& action)
 {
-	world.getSolverInfo().m_erp = m_erp;
-	world.getSolverInfo().m_erp2 = m_erp2;
+	restore(world);
 	m_left -= 1 << (MAX_LEVEL - m_level);
 	const btScalar length = m_dt / btScalar(1 << m_level);
 	addBodies(world);
@@ -210,7 +236,8 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 			continue;
 		// Of what is not held, the motion of the whole will not be dissipated.
 		for (int k = 0; k < 3 && !island.m_isHeld; ++k)
-			island.m_energy -= 0.5 * island.m_momentum[k] * island.m_momentum[k] / island.m_mass;
+			island.m_carried += 0.5 * island.m_momentum[k] * island.m_momentum[k] / island.m_mass;
+		island.m_energy -= island.m_carried;
 		m_openShare = btMax(m_openShare, island.m_openWork / btMax(island.m_energy, island.m_openWork));
 	}
 	if (m_openShare > m_error)

@@ -54,7 +54,8 @@ public:
 
 	/// Length of the next substep, for btDynamicsWorld::stepSimulation(length, 0) [s]; 0: the step is over.
 	/// During the substep the world's error reduction (btContactSolverInfo::m_erp, m_erp2) is less in proportion: penetration
-	/// that a long step has left would else be pushed out at the speed of a blow.
+	/// that a long step has left would else be pushed out at the speed of a blow. A substep that was begun but is not stepped
+	/// has to be observed too, or the world keeps it so.
 	btScalar next(btDynamicsWorld& world);
 
 	/// After the substep: looks at what it has left open.
@@ -81,16 +82,20 @@ private:
 	struct Island
 	{
 		double m_openWork, m_energy, m_mass, m_momentum[3];
-		bool m_isHeld;  ///< by something that does not move with it
+		double m_carried;  ///< of the kinetic energy, what the motion of the whole is
+		bool m_isHeld;     ///< by something that does not move with it
 	};
 
 	void lookAhead(btDynamicsWorld& world);
+	void restore(btDynamicsWorld& world);
 	void addBodies(const btDynamicsWorld& world);
 	void addJoints(btElasticPlasticAction& action, double length);
+	static void addSupport(Island& island, const btRigidBody& support, const btVector3& place);
 	void addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length) const;
 
 	double m_error;
 	btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while a substep is under way
+	bool m_isUnderWay = false;
 	double m_openShare = 0;
 	int m_level;                             ///< the substep is the step over 1 << m_level
 	btScalar m_dt = 0;                       ///< of the step
