@@ -29,8 +29,9 @@ void btElasticPlasticStepControl::setError(double error)
 
 void btElasticPlasticStepControl::expectBlow()
 {
-	// A spring that is resolved by this has T = error / 16: it takes two coarser steps to see whether there is one.
-	m_level = btMin(int(MAX_LEVEL), 2 + int(ceil(0.5 * log2(1 / m_error))));
+	// What a blow does in its first moment is not known before, and a substep that was too long cannot be taken back.
+	m_level = MAX_LEVEL;
+	m_isSearching = true;
 }
 
 void btElasticPlasticStepControl::begin(btScalar dt)
@@ -245,7 +246,11 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 	m_calm = m_openShare > m_error / 8 ? btScalar(0) : m_calm + length;
 	// A swing has moments at which it leaves little open, and every change of the step takes energy out of it: calm is what
 	// has lasted, or what leaves next to nothing.
-	if (m_calm >= CALM_STEPS * m_dt || m_openShare < m_error / 1000)
+	// Twice the substep has four times the T. A spring that is resolved by the level below has T = error / 16: from there on it
+	// takes two coarser steps to see whether there is one.
+	const int resolved = 2 + int(ceil(0.5 * log2(1 / m_error)));
+	m_isSearching &= m_openShare <= m_error / 4 && m_level > resolved;
+	if (m_calm >= CALM_STEPS * m_dt || m_openShare < m_error / 1000 || m_isSearching)
 	{
 		m_level = btMax(0, m_level - 1);
 		m_calm = 0;

@@ -69,7 +69,9 @@ public:
 	/// How many substeps of the present length make a step.
 	int getSubsteps() const { return 1 << m_level; }
 
-	/// Makes the next substep a fine one: a blow is coming that the world does not show yet. Worlds begin with it.
+	/// Begins anew with the finest substep, and doubles it as long as that leaves little open: for a blow that the world does not
+	/// show, as an impulse, or a load that comes or goes at once. Without it the first step takes such a load for a slow one.
+	/// Worlds begin with it; it costs some ten substeps.
 	void expectBlow();
 
 	/// Most substeps of a step: 1 << MAX_LEVEL.
@@ -98,6 +100,7 @@ private:
 	bool m_isUnderWay = false;
 	double m_openShare = 0;
 	int m_level;                             ///< the substep is the step over 1 << m_level
+	bool m_isSearching = true;               ///< for the substep, from the finest up
 	btScalar m_dt = 0;                       ///< of the step
 	btScalar m_calm = 0;                     ///< for how long little has been left open [s]
 	int m_left = 0;                          ///< of the step, in parts of it over 1 << MAX_LEVEL
