@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "World.h"
@@ -29,9 +30,10 @@ public:
 	double created() const { return m_created > 0 ? m_created / m_most : 0; }
 
 	/// The same of the joints: what they gave beyond all that they had taken, the most at any time, above what the rounding of
-	/// places is to their stiffness. Bullet's velocities stand half a step before its places: a spring of frequency w seems to
-	/// hold w dt / 2 more or less than it does, so up to 1/2 where it swings at all.
-	static constexpr double SWAY = 0.5;
+	/// places is to their stiffness. Plastic flow is counted by the yield value and a step's last velocity, work by mean ones:
+	/// where yield begins or ends within a long step that differs by some hundredths. In float the rounding of places adds up over
+	/// thousands of steps: to a sixth in a stiff frame at yield.
+	static constexpr double SLACK = sizeof(btScalar) == sizeof(double) ? 0.05 : 0.2;
 	double createdByJoints() const { return m_given > m_rounding ? (m_given - m_rounding) / m_most : 0; }
 
 	/// Before a step, when all loads are on.
@@ -61,7 +63,7 @@ public:
 		for (const btElasticPlasticJoint* joint : m_world.joints())
 		{
 			energy += joint->getWork();
-			dissipated += joint->getNumericalEnergy();
+			dissipated += joint->getWork() - heldHalfAStepAgo(*joint);
 			m_most = std::max(m_most, joint->getWork());
 		}
 		m_given = std::max(m_given, -dissipated);
@@ -71,6 +73,34 @@ public:
 	}
 
 private:
+	/// Of a joint, after a step.
+	struct Held
+	{
+		double m_force[BT_EP_DOF_COUNT] = {}, m_plastic = 0;
+	};
+
+	/// What the joint stored and had dissipated when the bodies had their present velocities, which is half a step before they
+	/// have their present places: by the means of before and after the step [J]. (For a spring that the step resolves that makes
+	/// the balance exact; by the force after the step it would sway by frequency times half a step.)
+	double heldHalfAStepAgo(const btElasticPlasticJoint& joint)
+	{
+		Held& before = m_held[&joint];
+		double energy = (joint.getPlasticEnergy() + before.m_plastic) / 2;
+		before.m_plastic = joint.getPlasticEnergy();
+		// What was in the springs is lost with them.
+		if (joint.isBroken())
+			return before.m_plastic + joint.getElasticEnergy();
+		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+		{
+			const btElasticPlasticCapacity& c = joint.getCapacity();
+			const double force = double(joint.getForce(dof)), mean = (force + before.m_force[dof]) / 2;
+			if (c.isElasticPlastic(dof) && !c.isRigidPlastic(dof))
+				energy += 0.5 * mean * mean / double(c.m_stiffness[dof]);
+			before.m_force[dof] = force;
+		}
+		return energy;
+	}
+
 	struct Load
 	{
 		btVector3 m_force, m_torque, m_velocity, m_spin;  ///< velocities before the step
@@ -119,7 +149,8 @@ private:
 	double m_work = 0;
 	bool m_isBegun = false;
 	double m_energy = 0, m_most = 0, m_created = 0;
-	double m_given = 0, m_rounding = 0;  // of joints
+	double m_given = 0, m_rounding = 0;                   // of joints
+	std::map<const btElasticPlasticJoint*, Held> m_held;  // after the last step
 };
 }  // namespace ep
 

@@ -45,7 +45,7 @@ void Run::substep(btScalar dt)
 
 Run::~Run()
 {
-	const double byJoints = m_audit.createdByJoints() > EnergyAudit::SWAY ? m_audit.createdByJoints() : 0.;
+	const double byJoints = m_audit.createdByJoints() > EnergyAudit::SLACK ? m_audit.createdByJoints() : 0.;
 	const double created = std::max(m_audit.created(), byJoints);
 	// Bullet's own joints do not tell what they take.
 	if (!m_world.method().kind().isElasticPlastic())

@@ -11,7 +11,7 @@ std::string Verdict::complaint() const
 		return "not finite";
 	if (created > CREATED)
 		snprintf(text, sizeof text, "energy created: %.2g of all", created);
-	else if (createdByJoints > EnergyAudit::SWAY)
+	else if (createdByJoints > EnergyAudit::SLACK)
 		snprintf(text, sizeof text, "energy created by joints: %.2g of all", createdByJoints);
 	else if (!isRight())
 		snprintf(text, sizeof text, "%.4g instead of %.4g", value, exact);

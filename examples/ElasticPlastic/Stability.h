@@ -25,7 +25,10 @@ struct Verdict
 	static constexpr double CREATED = 1e-3;
 
 	bool isRight() const { return std::isnan(exact) || std::fabs(value - exact) <= slack; }
-	bool isGreen() const { return isFinite && created <= CREATED && createdByJoints <= EnergyAudit::SWAY && isRight(); }
+	bool isGreen() const
+	{
+		return isFinite && created <= CREATED && createdByJoints <= EnergyAudit::SLACK && isRight();
+	}
 
 	/// "" if all is well, else what is not.
 	std::string complaint() const;

@@ -72,7 +72,7 @@ Verdict spin(const Method& method, const btVector3& axis, double step)
 }
 
 /// Three cubes on soft springs, of which one spins against the others about a slanted axis.
-Verdict softSprings(const Method& method, double stiffness, double rate, double step)
+Verdict softSprings(const Method& method, double stiffness, double rate, double step, double time)
 {
 	World world(method, btVector3(0, 0, 0));
 	btCollisionShape* cube = world.box(btVector3(1, 1, 1));
@@ -87,7 +87,7 @@ Verdict softSprings(const Method& method, double stiffness, double rate, double 
 	}
 	world.bodies()[2]->setAngularVelocity(btVector3(1, 2, 2) / 3 * btScalar(rate));
 	Watch watch(world);
-	watch.run(2, step);
+	watch.run(time, step);
 	return watch.verdict();
 }
 
@@ -158,14 +158,15 @@ void addTrialsOfMotion(std::vector<Trial>& trials)
 		trials.push_back({"spin at 500 rad/s", std::string("end over end, ") + name,
 						  [s = step](const Method& m) { return spin(m, btVector3(0, 0, 1), s); }});
 	}
-	// Elastic rotations of 0.3, 1 and 3 rad: spin over frequency.
+	// Elastic rotations of 0.3, 1 and 3 rad: spin over frequency. The last are beyond what joints are made for, and in the long
+	// run gain energy (17 times within 16 s): here they are only to get over it.
 	for (const double rate : {3., 10., 30.})
 		for (const int stepsPerSecond : {60, 240})
 			trials.push_back({"soft springs",
 							  "elastic rotation of " + std::to_string(rate / 10).substr(0, 3) + " rad, 1/" +
 								  std::to_string(stepsPerSecond) + " s",
 							  [rate, stepsPerSecond](const Method& m)
-							  { return softSprings(m, 200, rate, 1. / stepsPerSecond); }});
+							  { return softSprings(m, 200, rate, 1. / stepsPerSecond, rate < 30 ? 20 : 2); }});
 	trials.push_back({"impact at 300 m/s", "1/60 s", [](const Method& m) { return shot(m, 1. / 60); }});
 	trials.push_back({"impact at 300 m/s", "1/2000 s", [](const Method& m) { return shot(m, 1. / 2000); }});
 	trials.push_back({"all at once", "all yield", allYield});
