@@ -42,6 +42,54 @@ TEST(StepControl, LeavesSubstepsOutWhereNothingYields)
 	EXPECT_LT(outcome.error(), 1e-4);
 }
 
+TEST(StepControl, GoesCoarserWhenCalmHasLasted)
+{
+	// What swings below its yield force of 80 kN, but near it: calm begins anywhere in a step.
+	for (btScalar mass = 2000; mass < 4000; mass += 100)
+	{
+		BlockUnderTension::Settings settings;
+		settings.method = Solver::Direct;
+		settings.mass = mass;
+		BlockUnderTension block(settings);
+		btElasticPlasticStepControl control(0.01);
+		int calmSteps = 0, most = 0;
+		for (int i = 0; i < 120; ++i)
+		{
+			const int before = control.getSubsteps();
+			double share = 0;
+			control.begin(btScalar(1) / 60);
+			for (btScalar length; (length = control.next(block.m_world.bullet())) > 0;)
+			{
+				block.m_world.bullet().stepSimulation(length, 0);
+				control.observe(block.m_world.bullet(), block.m_world.action());
+				share = btMax(share, control.getOpenShare());
+			}
+			const bool isCalm = before > 1 && share < 0.01 / 8;
+			calmSteps = isCalm && control.getSubsteps() >= before ? calmSteps + 1 : 0;
+			most = btMax(most, calmSteps);
+		}
+		// Four steps, and what is left of the ones in which they begin and end.
+		EXPECT_LE(most, 5) << mass;
+	}
+}
+
+TEST(StepControl, WhatIsAskedDuringASubstepLeavesTheStepAsLong)
+{
+	World world(Solver::Direct);
+	btElasticPlasticStepControl control(0.01);
+	for (int i = 0; i < 3; ++i)
+	{
+		control.begin(btScalar(1) / 64);
+		for (btScalar length; (length = control.next(world.bullet())) > 0;)
+		{
+			world.bullet().stepSimulation(length, 0);
+			control.setError(i == 1 ? 1e-4 : 0.1);
+			control.observe(world.bullet(), world.action());
+		}
+		EXPECT_EQ((i + 1) / 64., world.action().getTime());
+	}
+}
+
 TEST(StepControl, BringsThemBackForABlow)
 {
 	BeamOnSupports::Settings settings;

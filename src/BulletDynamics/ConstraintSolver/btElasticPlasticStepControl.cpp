@@ -30,7 +30,7 @@ void btElasticPlasticStepControl::setError(double error)
 void btElasticPlasticStepControl::expectBlow()
 {
 	// A spring that is resolved by this has T = error / 16: it takes two coarser steps to see whether there is one.
-	m_level = btMin(int(MAX_LEVEL), 2 + int(ceil(0.5 * log2(1 / m_error))));
+	m_level = btMax(m_level, btMin(int(MAX_LEVEL), 2 + int(ceil(0.5 * log2(1 / m_error)))));
 }
 
 void btElasticPlasticStepControl::begin(btScalar dt)
@@ -38,12 +38,6 @@ void btElasticPlasticStepControl::begin(btScalar dt)
 	m_dt = dt;
 	m_left = dt > 0 && btElasticPlasticIsFinite(dt) ? 1 << MAX_LEVEL : 0;
 }
-
-namespace
-{
-/// The largest power of two that divides x.
-int lowestBit(int x) { return x & -x; }
-}  // namespace
 
 namespace
 {
@@ -115,9 +109,7 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	if (m_left <= 0)
 		return 0;
 	lookAhead(world);
-	// Substeps begin at multiples of their length, so that the step ends with a whole one.
-	while (1 << (MAX_LEVEL - m_level) > lowestBit(m_left))
-		++m_level;
+	m_parts = 1 << (MAX_LEVEL - m_level);
 	const btScalar share = 1 / btScalar(1 << m_level);
 	btContactSolverInfo& info = world.getSolverInfo();
 	m_erp = info.m_erp;
@@ -198,8 +190,8 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 {
 	world.getSolverInfo().m_erp = m_erp;
 	world.getSolverInfo().m_erp2 = m_erp2;
-	m_left -= 1 << (MAX_LEVEL - m_level);
-	const btScalar length = m_dt / btScalar(1 << m_level);
+	m_left -= m_parts;
+	const btScalar length = m_dt * btScalar(m_parts) / btScalar(1 << MAX_LEVEL);
 	addBodies(world);
 	addJoints(action, double(length));
 	m_openShare = 0;
@@ -217,10 +209,12 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 		m_level = btMin(int(MAX_LEVEL), m_level + int(ceil(0.5 * log2(m_openShare / m_error))));
 	m_calm = m_openShare > m_error / 8 ? btScalar(0) : m_calm + length;
 	// A swing has moments at which it leaves little open, and every change of the step takes energy out of it: calm is what
-	// has lasted, or what leaves next to nothing.
-	if (m_calm >= CALM_STEPS * m_dt || m_openShare < m_error / 1000)
+	// has lasted, or what leaves next to nothing. Substeps begin at multiples of their length, so that the step ends with a
+	// whole one.
+	const bool fitsTwice = m_level > 0 && m_left % (2 << (MAX_LEVEL - m_level)) == 0;
+	if (fitsTwice && (m_calm >= CALM_STEPS * m_dt || m_openShare < m_error / 1000))
 	{
-		m_level = btMax(0, m_level - 1);
+		--m_level;
 		m_calm = 0;
 	}
 }

@@ -92,10 +92,11 @@ private:
 	double m_error;
 	btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while a substep is under way
 	double m_openShare = 0;
-	int m_level;                             ///< the substep is the step over 1 << m_level
+	int m_level = 0;                         ///< the substep is the step over 1 << m_level
 	btScalar m_dt = 0;                       ///< of the step
 	btScalar m_calm = 0;                     ///< for how long little has been left open [s]
 	int m_left = 0;                          ///< of the step, in parts of it over 1 << MAX_LEVEL
+	int m_parts = 0;                         ///< that the substep under way takes of them
 	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's tag
 };
 
