@@ -43,7 +43,8 @@ public:
 	void setError(double error);
 	double getError() const { return m_error; }
 
-	/// Steps the world by dt > 0 [s], in substeps. Forces that were applied before hold throughout.
+	/// Steps the world by dt > 0 [s], in substeps. Forces that were applied before hold throughout, and kinematic bodies go
+	/// evenly to where they were put. Internal tick callbacks come once per substep.
 	/// \return how many substeps; 0, and nothing happens, if dt is not a positive number
 	int step(btDynamicsWorld& world, btElasticPlasticAction& action, btScalar dt);
 
@@ -86,6 +87,7 @@ private:
 
 	void lookAhead(btDynamicsWorld& world);
 	void addBodies(const btDynamicsWorld& world);
+	void markJoined(const btRigidBody& body);
 	void addJoints(btElasticPlasticAction& action, double length);
 	void addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length) const;
 
@@ -98,6 +100,8 @@ private:
 	int m_left = 0;                          ///< of the step, in parts of it over 1 << MAX_LEVEL
 	int m_parts = 0;                         ///< that the substep under way takes of them
 	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's tag
+	btAlignedObjectArray<bool>
+		m_isJoined;  ///< by elastic-plastic joints, of the bodies that move; by their place in the world
 };
 
 #endif  // BT_ELASTIC_PLASTIC_STEP_CONTROL_H
