@@ -295,6 +295,47 @@ TEST(StepControl, BadStepsDoNothing)
 	EXPECT_EQ(0, world.action().getTime());
 }
 
+TEST(StepControl, TakesNoMoreSubstepsThanItMay)
+{
+	World world(Solver::Direct);
+	btRigidBody* const body = world.body(1, world.box(btVector3(1, 1, 1)), btTransform::getIdentity(), false);
+	btElasticPlasticStepControl control(1e-6);
+	for (const auto& [most, taken] : {std::pair(0, 1), {1, 1}, {7, 4}, {16, 16}, {5000, 4096}})
+	{
+		control.setMaxSubsteps(most);
+		control.expectBlow();
+		const double before = world.action().getTime();
+		int substeps = 0;
+		control.begin(btScalar(1) / 64);
+		for (btScalar length; (length = control.next(world.bullet())) > 0; ++substeps)
+		{
+			world.bullet().stepSimulation(length, 0);
+			control.observe(world.bullet(), world.action());
+			control.expectBlow();
+		}
+		EXPECT_EQ(taken, substeps);
+		EXPECT_EQ(before + 1. / 64, world.action().getTime());
+	}
+	EXPECT_LT(body->getCenterOfMassPosition().y(), 0);
+}
+
+TEST(Profile, TellsMistakes)
+{
+	const auto textOf = [](btElasticPlasticConstraintSolver* solver, btScalar step)
+	{
+		World world(Solver::Direct);
+		return std::string(btElasticPlasticProfile(world.bullet(), world.action(), solver, 0.01, step).getText());
+	};
+	btElasticPlasticConstraintSolver other;
+	other.setForm(BT_EP_ITERATIVE);
+	EXPECT_NE(std::string::npos, textOf(&other, btScalar(0.01)).find("the solver is not the world's"));
+	EXPECT_EQ(BT_EP_ITERATIVE, other.getForm());
+	EXPECT_NE(std::string::npos, textOf(nullptr, btScalar(0.01)).find("the action has no joints"));
+	EXPECT_EQ(std::string::npos, textOf(nullptr, btScalar(0.01)).find("the step is"));
+	for (const btScalar step : {btScalar(0), btScalar(-1), std::numeric_limits<btScalar>::quiet_NaN()})
+		EXPECT_NE(std::string::npos, textOf(nullptr, step).find("mistake: the step is"));
+}
+
 TEST(Profile, TellsWhatItLeavesOutAndKeepsToTheError)
 {
 	Cantilever::Settings settings;
@@ -314,5 +355,9 @@ TEST(Profile, TellsWhatItLeavesOutAndKeepsToTheError)
 	for (int i = 0; i < 60; ++i)
 		substeps += profile.step();
 	EXPECT_LT(substeps, 60 + 15);
+	EXPECT_EQ(0, profile.step(0));
+	const double time = world.action().getTime();
+	profile.step(btScalar(1) / 128);
+	EXPECT_EQ(time + 1. / 128, world.action().getTime());
 }
 }  // namespace

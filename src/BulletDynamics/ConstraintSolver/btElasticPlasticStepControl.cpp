@@ -29,13 +29,21 @@ void btElasticPlasticStepControl::setError(double error)
 void btElasticPlasticStepControl::expectBlow()
 {
 	// A spring that is resolved by this has T = error / 16: it takes two coarser steps to see whether there is one.
-	m_level = btMax(m_level, btMin(int(MAX_LEVEL), 2 + int(ceil(0.5 * log2(1 / m_error)))));
+	refine(2 + int(ceil(0.5 * log2(1 / m_error))));
+}
+
+void btElasticPlasticStepControl::setMaxSubsteps(int most)
+{
+	m_maxLevel = MAX_LEVEL;
+	while (m_maxLevel > 0 && 1 << m_maxLevel > most)
+		--m_maxLevel;
 }
 
 void btElasticPlasticStepControl::begin(btScalar dt)
 {
 	m_dt = dt;
 	m_left = dt > 0 && btElasticPlasticIsFinite(dt) ? 1 << MAX_LEVEL : 0;
+	m_level = btMin(m_level, m_maxLevel);
 }
 
 namespace
@@ -108,7 +116,7 @@ void btElasticPlasticStepControl::lookAhead(btDynamicsWorld& world)
 		if (body && (body->getInvMass() > 0 || body->isKinematicObject()) && body->isActive())
 			approach.look(*body, length);
 	}
-	while (m_level < MAX_LEVEL && approach.m_rate * double(m_dt) > double(1 << m_level))
+	while (m_level < m_maxLevel && approach.m_rate * double(m_dt) > double(1 << m_level))
 		++m_level;
 }
 
@@ -225,7 +233,7 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 		m_openShare = btMax(m_openShare, island.m_openWork / btMax(island.m_energy, island.m_openWork));
 	}
 	if (m_openShare > m_error)
-		m_level = btMin(int(MAX_LEVEL), m_level + int(ceil(0.5 * log2(m_openShare / m_error))));
+		refine(m_level + int(ceil(0.5 * log2(m_openShare / m_error))));
 	m_calm = m_openShare > m_error / 8 ? btScalar(0) : m_calm + length;
 	// A swing has moments at which it leaves little open, and every change of the step takes energy out of it: calm is what
 	// has lasted, or what leaves next to nothing. Substeps begin at multiples of their length, so that the step ends with a

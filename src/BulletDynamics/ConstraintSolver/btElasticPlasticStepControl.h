@@ -43,6 +43,10 @@ public:
 	void setError(double error);
 	double getError() const { return m_error; }
 
+	/// Bounds the time that a step can take; where more substeps would be needed getOpenShare() is above the error.
+	/// \param most  1 to 4096, else the nearer of these; of it the largest power of two is taken. Default: 4096
+	void setMaxSubsteps(int most);
+
 	/// Steps the world by dt > 0 [s], in substeps. Forces that were applied before hold throughout, and kinematic bodies go
 	/// evenly to where they were put. Internal tick callbacks come once per substep.
 	/// \return how many substeps; 0, and nothing happens, if dt is not a positive number
@@ -72,7 +76,7 @@ public:
 	/// Makes the next substep a fine one: a blow is coming that the world does not show yet. Worlds begin with it.
 	void expectBlow();
 
-	/// Most substeps of a step: 1 << MAX_LEVEL.
+	/// Most substeps of a step that can be: 1 << MAX_LEVEL.
 	static constexpr int MAX_LEVEL = 12;
 
 private:
@@ -85,6 +89,7 @@ private:
 		bool m_isHeld;  ///< by something that does not move with it
 	};
 
+	void refine(int level) { m_level = btMax(m_level, btMin(m_maxLevel, level)); }
 	void lookAhead(btDynamicsWorld& world);
 	void addBodies(const btDynamicsWorld& world);
 	void markJoined(const btRigidBody& body);
@@ -94,6 +99,7 @@ private:
 	double m_error;
 	btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while a substep is under way
 	double m_openShare = 0;
+	int m_maxLevel = MAX_LEVEL;
 	int m_level = 0;                         ///< the substep is the step over 1 << m_level
 	btScalar m_dt = 0;                       ///< of the step
 	btScalar m_calm = 0;                     ///< for how long little has been left open [s]
