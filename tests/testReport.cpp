@@ -36,12 +36,11 @@ protected:
 	}
 	void TearDown() override { fs::remove_all(m_folder); }
 
-	Ended run(const std::string& arguments) const
+	Ended run(const std::string& arguments, const std::string& program = EP_REPORT) const
 	{
 		fs::create_directories(m_folder);
 		const fs::path log = m_folder / "log";
-		const int status =
-			std::system((std::string(EP_REPORT) + " " + arguments + " > " + log.string() + " 2>&1").c_str());
+		const int status = std::system((program + " " + arguments + " > " + log.string() + " 2>&1").c_str());
 		return {WEXITSTATUS(status), read(log)};
 	}
 	Ended report(const std::string& arguments, const std::string& out = "out") const
@@ -152,5 +151,19 @@ TEST_F(Report, SaysWhatIsWrong)
 	EXPECT_NE(0, result.status);
 	EXPECT_NE(std::string::npos, result.output.find("block-released.60x1.float.json' is no list of records"))
 		<< result.output;
+}
+
+TEST_F(Report, EndsWhenItIsInterrupted)
+{
+	// Programs that end as by Ctrl-C, beside a report of its own.
+	fs::create_directories(m_folder);
+	const fs::path program = m_folder / "ep-report", stub = m_folder / "ep-report-case";
+	fs::copy_file(EP_REPORT, program);
+	std::ofstream(stub) << "#!/bin/sh\nkill -INT $$\n";
+	fs::permissions(stub, fs::perms::owner_all);
+	const Ended ended = run("--quick --jobs 2 --out " + (m_folder / "out").string(), program.string());
+	EXPECT_EQ(1, ended.status);
+	EXPECT_NE(std::string::npos, ended.output.find("interrupted")) << ended.output;
+	EXPECT_TRUE(fs::is_empty(m_folder / "out" / "cases"));
 }
 }  // namespace

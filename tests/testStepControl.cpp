@@ -43,6 +43,54 @@ TEST(StepControl, LeavesSubstepsOutWhereNothingYields)
 	EXPECT_LT(outcome.error(), 1e-4);
 }
 
+TEST(StepControl, GoesCoarserWhenCalmHasLasted)
+{
+	// What swings below its yield force of 80 kN, but near it: calm begins anywhere in a step.
+	for (btScalar mass = 2000; mass < 4000; mass += 100)
+	{
+		BlockUnderTension::Settings settings;
+		settings.method = Solver::Direct;
+		settings.mass = mass;
+		BlockUnderTension block(settings);
+		btElasticPlasticStepControl control(0.01);
+		int calmSteps = 0, most = 0;
+		for (int i = 0; i < 120; ++i)
+		{
+			const int before = control.getSubsteps();
+			double share = 0;
+			control.begin(btScalar(1) / 60);
+			for (btScalar length; (length = control.next(block.m_world.bullet())) > 0;)
+			{
+				block.m_world.bullet().stepSimulation(length, 0);
+				control.observe(block.m_world.bullet(), block.m_world.action());
+				share = btMax(share, control.getOpenShare());
+			}
+			const bool isCalm = before > 1 && share < 0.01 / 8;
+			calmSteps = isCalm && control.getSubsteps() >= before ? calmSteps + 1 : 0;
+			most = btMax(most, calmSteps);
+		}
+		// Four steps, and what is left of the ones in which they begin and end.
+		EXPECT_LE(most, 5) << mass;
+	}
+}
+
+TEST(StepControl, WhatIsAskedDuringASubstepLeavesTheStepAsLong)
+{
+	World world(Solver::Direct);
+	btElasticPlasticStepControl control(0.01);
+	for (int i = 0; i < 3; ++i)
+	{
+		control.begin(btScalar(1) / 64);
+		for (btScalar length; (length = control.next(world.bullet())) > 0;)
+		{
+			world.bullet().stepSimulation(length, 0);
+			control.setError(i == 1 ? 1e-4 : 0.1);
+			control.observe(world.bullet(), world.action());
+		}
+		EXPECT_EQ((i + 1) / 64., world.action().getTime());
+	}
+}
+
 TEST(StepControl, BringsThemBackForABlow)
 {
 	BeamOnSupports::Settings settings;
@@ -215,6 +263,120 @@ TEST(StepControl, LoadsHoldThroughoutTheStep)
 	}
 }
 
+TEST(StepControl, KinematicBodiesGoEvenly)
+{
+	// A piston moves against a free block at 3 m/s, placed by the game once in a step: by a motion state, or by itself.
+	for (const bool hasMotionState : {true, false})
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+		btRigidBody* const piston = world.body(0, cube, btTransform::getIdentity());
+		btRigidBody* const block =
+			world.body(10, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(1.1), 0, 0)));
+		btDefaultMotionState place;
+		piston->setCollisionFlags(piston->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+		piston->setMotionState(hasMotionState ? &place : nullptr);
+		btElasticPlasticStepControl control(0.01);
+		for (int i = 1; i <= 30; ++i)
+		{
+			const btTransform to(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.05) * i, 0, 0));
+			if (hasMotionState)
+				place.setWorldTransform(to);
+			else
+				piston->setWorldTransform(to);
+			control.expectBlow();
+			EXPECT_GT(control.step(world.bullet(), world.action(), btScalar(1) / 60), 5);
+			EXPECT_EQ(hasMotionState ? &place : nullptr, piston->getMotionState());
+			EXPECT_TRUE(piston->getWorldTransform() == to);
+			// Differences of places 1 m away over substeps of 0.26 ms.
+			EXPECT_NEAR(3, piston->getLinearVelocity().x(), byPrecision(1e-9, 1e-3));
+		}
+		// A substep's way, 0.8 mm, is how deep the piston gets, of which Bullet pushes out a fifth in a step.
+		EXPECT_NEAR(3, block->getLinearVelocity().x(), 0.01);
+	}
+}
+
+TEST(StepControl, SeesAKinematicRamComeToABodyThatIsJoined)
+{
+	World world(Solver::Direct, btVector3(0, 0, 0));
+	btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+	const auto at = [](btScalar x) { return btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, 0, 0)); };
+	btRigidBody* const support = world.body(0, cube, at(3), false);
+	btRigidBody* const block = world.body(1000, cube, at(0));
+	btRigidBody* const ram = world.body(0, cube, at(-3));
+	ram->setCollisionFlags(ram->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+	btElasticPlasticCapacity capacity;
+	capacity.set(BT_EP_AXIAL, 1e6, 1e5);
+	world.joint(*block, *support, at(btScalar(1.5)), capacity);
+	btElasticPlasticStepControl control(1);
+	int substeps = 0;
+	for (int i = 1; ram->getWorldTransform().getOrigin().x() < btScalar(-1.1); ++i)
+	{
+		ram->setWorldTransform(at(-3 + btScalar(i) / 6));  // 10 m/s
+		substeps = control.step(world.bullet(), world.action(), btScalar(1) / 60);
+	}
+	// A twentieth of the edge in each: 1/6 m takes four, as powers of two go.
+	EXPECT_GE(substeps, 4);
+}
+
+TEST(StepControl, DrivesCoarselyWhereOnlyBulletsJointsAre)
+{
+	World world(Solver::Direct, btVector3(0, 0, 0));
+	btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+	const auto at = [](btScalar x, btScalar y) { return btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, y, 0)); };
+	world.body(0, world.box(btVector3(100, 1, 100)), at(0, -1));
+	btRigidBody* const a = world.body(1, cube, at(0, 0));
+	btRigidBody* const b = world.body(1, cube, at(2, 0));
+	world.add(new btPoint2PointConstraint(*a, *b, btVector3(1, 0, 0), btVector3(-1, 0, 0)));
+	for (btRigidBody* body : {a, b})
+	{
+		body->setFriction(0);
+		body->setLinearVelocity(btVector3(20, 0, 0));
+	}
+	btElasticPlasticStepControl control(0.01);
+	for (int i = 0; i < 3; ++i)
+		control.step(world.bullet(), world.action(), btScalar(1) / 60);
+	EXPECT_EQ(1, control.getSubsteps());
+}
+
+TEST(StepControl, ABodyMadeWhereOneWasDeletedDoesNotGetItsLoad)
+{
+	struct Replacement : btElasticPlasticListener
+	{
+		BlockUnderTension* m_block;
+		bool m_isDone = false;
+		void onBreak(const btElasticPlasticEvent&) override
+		{
+			World& world = m_block->m_world;
+			btRigidBody* const body = m_block->m_block;
+			btCollisionShape* const shape = body->getCollisionShape();
+			world.action().removeBody(world.bullet(), *body);
+			body->~btRigidBody();
+			new (body) btRigidBody(1, nullptr, shape, btVector3(1, 1, 1));
+			world.bullet().addRigidBody(body);
+			body->setGravity(btVector3(0, 0, 0));
+			m_isDone = true;
+		}
+	};
+	BlockUnderTension::Settings settings;
+	settings.method = Solver::Direct;
+	settings.mass = 20000;
+	settings.ductility = btScalar(0.001);
+	BlockUnderTension block(settings);
+	Replacement replacement;
+	replacement.m_block = &block;
+	block.m_world.action().setListener(&replacement);
+	btElasticPlasticStepControl control(0.01);
+	for (int i = 0; i < 30 && !replacement.m_isDone; ++i)
+	{
+		block.m_block->applyCentralForce(btVector3(0, -1000, 0));
+		control.expectBlow();
+		control.step(block.m_world.bullet(), block.m_world.action(), btScalar(1) / 60);
+	}
+	EXPECT_TRUE(replacement.m_isDone);
+	EXPECT_EQ(0, block.m_block->getLinearVelocity().length());
+}
+
 TEST(StepControl, WhatBreaksMayBeDeletedBetweenSubsteps)
 {
 	struct Remover : btElasticPlasticListener
@@ -256,6 +418,47 @@ TEST(StepControl, BadStepsDoNothing)
 	EXPECT_EQ(0, world.action().getTime());
 }
 
+TEST(StepControl, TakesNoMoreSubstepsThanItMay)
+{
+	World world(Solver::Direct);
+	btRigidBody* const body = world.body(1, world.box(btVector3(1, 1, 1)), btTransform::getIdentity(), false);
+	btElasticPlasticStepControl control(1e-6);
+	for (const auto& [most, taken] : {std::pair(0, 1), {1, 1}, {7, 4}, {16, 16}, {5000, 4096}})
+	{
+		control.setMaxSubsteps(most);
+		control.expectBlow();
+		const double before = world.action().getTime();
+		int substeps = 0;
+		control.begin(btScalar(1) / 64);
+		for (btScalar length; (length = control.next(world.bullet())) > 0; ++substeps)
+		{
+			world.bullet().stepSimulation(length, 0);
+			control.observe(world.bullet(), world.action());
+			control.expectBlow();
+		}
+		EXPECT_EQ(taken, substeps);
+		EXPECT_EQ(before + 1. / 64, world.action().getTime());
+	}
+	EXPECT_LT(body->getCenterOfMassPosition().y(), 0);
+}
+
+TEST(Profile, TellsMistakes)
+{
+	const auto textOf = [](btElasticPlasticConstraintSolver* solver, btScalar step)
+	{
+		World world(Solver::Direct);
+		return std::string(btElasticPlasticProfile(world.bullet(), world.action(), solver, 0.01, step).getText());
+	};
+	btElasticPlasticConstraintSolver other;
+	other.setForm(BT_EP_ITERATIVE);
+	EXPECT_NE(std::string::npos, textOf(&other, btScalar(0.01)).find("the solver is not the world's"));
+	EXPECT_EQ(BT_EP_ITERATIVE, other.getForm());
+	EXPECT_NE(std::string::npos, textOf(nullptr, btScalar(0.01)).find("the action has no joints"));
+	EXPECT_EQ(std::string::npos, textOf(nullptr, btScalar(0.01)).find("the step is"));
+	for (const btScalar step : {btScalar(0), btScalar(-1), std::numeric_limits<btScalar>::quiet_NaN()})
+		EXPECT_NE(std::string::npos, textOf(nullptr, step).find("mistake: the step is"));
+}
+
 TEST(Profile, TellsWhatItLeavesOutAndKeepsToTheError)
 {
 	Cantilever::Settings settings;
@@ -275,5 +478,9 @@ TEST(Profile, TellsWhatItLeavesOutAndKeepsToTheError)
 	for (int i = 0; i < 60; ++i)
 		substeps += profile.step();
 	EXPECT_LT(substeps, 60 + 15);
+	EXPECT_EQ(0, profile.step(0));
+	const double time = world.action().getTime();
+	profile.step(btScalar(1) / 128);
+	EXPECT_EQ(time + 1. / 128, world.action().getTime());
 }
 }  // namespace

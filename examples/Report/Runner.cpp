@@ -1,12 +1,16 @@
 #include "Runner.h"
 
+#include <sys/wait.h>
+
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 
 namespace ep
@@ -23,8 +27,20 @@ std::string quoted(const std::string& text)
 	return out + "'";
 }
 
-/// \return whether it went well
-bool compute(const Case& c, const RunnerSettings& s)
+/// While it waits std::system() keeps the user's interrupt from this program: the case's end tells of it.
+bool isInterrupt(int status)
+{
+	return WIFSIGNALED(status) ? WTERMSIG(status) == SIGINT : WEXITSTATUS(status) == 128 + SIGINT;
+}
+
+enum class End
+{
+	WELL,
+	FAILED,
+	INTERRUPTED
+};
+
+End compute(const Case& c, const RunnerSettings& s)
 {
 	const fs::path file = fs::path(s.folder) / (c.name() + ".json"), part = file.string() + ".part",
 				   failed = fs::path(s.folder) / (c.name() + ".failed");
@@ -36,13 +52,15 @@ bool compute(const Case& c, const RunnerSettings& s)
 	std::error_code ignored;
 	if (status != 0)
 	{
-		std::ofstream(failed) << command << "\nended with status " << status << "\n";
 		fs::remove(part, ignored);
-		return false;
+		if (isInterrupt(status))
+			return End::INTERRUPTED;
+		std::ofstream(failed) << command << "\nended with status " << status << "\n";
+		return End::FAILED;
 	}
 	fs::rename(part, file);
 	fs::remove(failed, ignored);
-	return true;
+	return End::WELL;
 }
 }  // namespace
 
@@ -57,19 +75,24 @@ int runCases(const std::vector<Case>& cases, const RunnerSettings& settings)
 
 	std::atomic<size_t> next{0}, done{0};
 	std::atomic<int> failed{0};
+	std::atomic<bool> interrupted{false};
 	std::mutex output;
 	const auto begin = std::chrono::steady_clock::now();
 	const auto work = [&]
 	{
-		for (size_t i; (i = next++) < open.size();)
+		for (size_t i; !interrupted && (i = next++) < open.size();)
 		{
-			const bool well = compute(*open[i], settings);
-			failed += !well;
+			const End end = compute(*open[i], settings);
+			if (end == End::INTERRUPTED)
+				interrupted = true;
+			if (interrupted)
+				return;
+			failed += end == End::FAILED;
 			const std::lock_guard<std::mutex> lock(output);
 			const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 			const size_t n = ++done;
 			printf("[%zu/%zu] %s%s, about %.0f s left\n", n, open.size(), open[i]->name().c_str(),
-				   well ? "" : " FAILED", passed / double(n) * double(open.size() - n));
+				   end == End::WELL ? "" : " FAILED", passed / double(n) * double(open.size() - n));
 			fflush(stdout);
 		}
 	};
@@ -79,6 +102,8 @@ int runCases(const std::vector<Case>& cases, const RunnerSettings& settings)
 	work();
 	for (std::thread& thread : threads)
 		thread.join();
+	if (interrupted)
+		throw std::runtime_error("interrupted; called again with the same --out it goes on");
 	return failed;
 }
 }  // namespace ep

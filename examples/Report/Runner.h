@@ -20,7 +20,7 @@ struct RunnerSettings
 
 /// Computes cases that have no file yet, each in a process of its own, several at a time; tells how far it is on standard
 /// output. A case that fails leaves a file "<name>.failed" and is tried again the next time.
-/// \return how many have failed
+/// \return how many have failed; an interrupt (Ctrl-C) is thrown as a std::runtime_error
 int runCases(const std::vector<Case>& cases, const RunnerSettings& settings);
 }  // namespace ep
 

@@ -149,6 +149,7 @@ btElasticPlasticProfile::btElasticPlasticProfile(btDynamicsWorld& world, btElast
 		"%d joints between %d bodies; up to %d joints from a support; neighbours' masses up to %.3g : 1; bodies up to "
 		"%.3g times longer than thick\n",
 		sight.m_joints, sight.m_bodies, sight.m_depth, sight.m_massRatio, sight.m_slenderness);
+	tellMistakes(sight, solver);
 	tellSolver(sight, solver);
 	tellRest(sight);
 }
@@ -163,11 +164,21 @@ void btElasticPlasticProfile::tell(const char* format, ...)
 	m_text += line;
 }
 
+void btElasticPlasticProfile::tellMistakes(const Sight& sight, const btElasticPlasticConstraintSolver* solver)
+{
+	if (!(m_step > 0) || !btElasticPlasticIsFinite(m_step))
+		tell("mistake: the step is %g s; it must be finite and > 0, or step() does nothing\n", double(m_step));
+	if (solver && solver != m_world.getConstraintSolver())
+		tell("mistake: the solver is not the world's; give the one that the world was made with, or null\n");
+	if (sight.m_joints == 0)
+		tell("mistake: the action has no joints; call btElasticPlasticAction::addJoint before\n");
+}
+
 void btElasticPlasticProfile::tellSolver(const Sight& sight, btElasticPlasticConstraintSolver* solver)
 {
-	if (!solver)
+	if (!solver || solver != m_world.getConstraintSolver())
 	{
-		tell("direct solve: not to be had from Bullet's own solver, which reaches %d joints in a step\n",
+		tell("direct solve: left as the world's solver does it; Bullet's own reaches %d joints in a step\n",
 			 m_world.getSolverInfo().m_numIterations);
 		return;
 	}
@@ -196,7 +207,7 @@ void btElasticPlasticProfile::tellRest(const Sight& sight)
 	if (sight.m_springs > 0)
 		tell("elastic part: kept; of %d springs with periods from %.3g to %.3g ms the step damps %d, at no cost\n",
 			 sight.m_springs, 1e3 * sight.m_shortest, 1e3 * sight.m_longest, sight.m_stiff);
-	else
+	else if (sight.m_joints > 0)
 		tell("elastic part: none; all joints are rigid-plastic\n");
 	tell("shear and torsion: kept; a degree of freedom left out is free, and half of them cost a tenth of a step\n");
 	if (sight.m_endless > 0)

@@ -32,15 +32,17 @@ subject to the following restrictions:
 class btElasticPlasticProfile
 {
 public:
-	/// \param solver  the world's, set by this; null: the world has one of Bullet's, which stays as it is
+	/// The world as it stands now, with its joints; what comes later is stepped as well, but not told.
+	/// \param solver  the world's, set to its direct form; null: the world has one of Bullet's, which stays as it is
 	/// \param error   allowed in how much flows, relative: see btElasticPlasticStepControl
 	/// \param step    of the game [s], > 0
 	/// World, action and solver must outlive it.
 	btElasticPlasticProfile(btDynamicsWorld& world, btElasticPlasticAction& action,
 							btElasticPlasticConstraintSolver* solver, double error, btScalar step);
 
-	/// Steps the world by the game's step. \return number of substeps
-	int step() { return m_control.step(m_world, m_action, m_step); }
+	/// Steps the world by the game's step, or by that of a frame [s]. \return number of substeps, 0 for no step (a pause)
+	int step() { return step(m_step); }
+	int step(btScalar dt) { return m_control.step(m_world, m_action, dt); }
 
 	/// What was seen, what is left out, and why: a line each.
 	const char* getText() const { return m_text.c_str(); }
@@ -52,6 +54,7 @@ private:
 
 	Sight look() const;
 	void tell(const char* format, ...);
+	void tellMistakes(const Sight& sight, const btElasticPlasticConstraintSolver* solver);
 	void tellSolver(const Sight& sight, btElasticPlasticConstraintSolver* solver);
 	void tellRest(const Sight& sight);
 

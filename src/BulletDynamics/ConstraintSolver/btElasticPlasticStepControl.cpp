@@ -15,11 +15,10 @@ subject to the following restrictions:
 
 #include "btElasticPlasticStepControl.h"
 
-#include "LinearMath/btHashMap.h"
-
 #include <math.h>
 
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+#include "btElasticPlasticStepInput.h"
 
 void btElasticPlasticStepControl::setError(double error)
 {
@@ -30,33 +29,44 @@ void btElasticPlasticStepControl::setError(double error)
 void btElasticPlasticStepControl::expectBlow()
 {
 	// What a blow does in its first moment is not known before, and a substep that was too long cannot be taken back.
-	m_level = MAX_LEVEL;
+	refine(MAX_LEVEL);
 	m_isSearching = true;
+}
+
+void btElasticPlasticStepControl::setMaxSubsteps(int most)
+{
+	m_maxLevel = MAX_LEVEL;
+	while (m_maxLevel > 0 && 1 << m_maxLevel > most)
+		--m_maxLevel;
 }
 
 void btElasticPlasticStepControl::begin(btScalar dt)
 {
 	m_dt = dt;
 	m_left = dt > 0 && btElasticPlasticIsFinite(dt) ? 1 << MAX_LEVEL : 0;
+	m_level = btMin(m_level, m_maxLevel);
 }
 
 namespace
 {
-/// The largest power of two that divides x.
-int lowestBit(int x) { return x & -x; }
-}  // namespace
-
-namespace
-{
-/// How fast a body comes near others that it has not met, where one of the two has constraints, over how far it may go in a
-/// substep: penetration that joints are pushed apart by is work from nowhere.
+/// How fast a body comes near others, where one of the two is joined, over how far it may go in a substep: penetration that
+/// joints are pushed apart by is work from nowhere.
 struct Approach : btBroadphaseAabbCallback
 {
 	btDynamicsWorld& m_world;
+	const btAlignedObjectArray<bool>& m_isJoined;
 	btRigidBody* m_body = nullptr;
 	double m_rate = 0;  ///< the largest [1/s]
 
-	explicit Approach(btDynamicsWorld& world) : m_world(world) {}
+	Approach(btDynamicsWorld& world, const btAlignedObjectArray<bool>& isJoined) : m_world(world), m_isJoined(isJoined)
+	{
+	}
+
+	bool isJoined(const btRigidBody& body) const
+	{
+		const int index = body.getWorldArrayIndex();
+		return index >= 0 && index < m_isJoined.size() && m_isJoined[index];
+	}
 
 	static btScalar leastEdge(const btBroadphaseProxy& proxy)
 	{
@@ -83,7 +93,7 @@ struct Approach : btBroadphaseAabbCallback
 		btBroadphaseProxy* const mine = m_body->getBroadphaseProxy();
 		btCollisionObject* const object = static_cast<btCollisionObject*>(other->m_clientObject);
 		btRigidBody* const body = btRigidBody::upcast(object);
-		if (other == mine || !body || (m_body->getNumConstraintRefs() == 0 && body->getNumConstraintRefs() == 0) ||
+		if (other == mine || !body || (!isJoined(*m_body) && !isJoined(*body)) ||
 			!m_world.getPairCache()->needsBroadphaseCollision(mine, const_cast<btBroadphaseProxy*>(other)) ||
 			!m_body->checkCollideWith(body))
 			return true;
@@ -98,7 +108,7 @@ struct Approach : btBroadphaseAabbCallback
 
 void btElasticPlasticStepControl::lookAhead(btDynamicsWorld& world)
 {
-	Approach approach(world);
+	Approach approach(world, m_isJoined);
 	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
 	const btScalar length = m_dt / btScalar(1 << m_level);
 	for (int i = 0; i < objects.size(); ++i)
@@ -107,7 +117,7 @@ void btElasticPlasticStepControl::lookAhead(btDynamicsWorld& world)
 		if (body && (body->getInvMass() > 0 || body->isKinematicObject()) && body->isActive())
 			approach.look(*body, length);
 	}
-	while (m_level < MAX_LEVEL && approach.m_rate * double(m_dt) > double(1 << m_level))
+	while (m_level < m_maxLevel && approach.m_rate * double(m_dt) > double(1 << m_level))
 		++m_level;
 }
 
@@ -126,9 +136,7 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	if (m_left <= 0)
 		return 0;
 	lookAhead(world);
-	// Substeps begin at multiples of their length, so that the step ends with a whole one.
-	while (1 << (MAX_LEVEL - m_level) > lowestBit(m_left))
-		++m_level;
+	m_parts = 1 << (MAX_LEVEL - m_level);
 	const btScalar share = 1 / btScalar(1 << m_level);
 	restore(world);
 	btContactSolverInfo& info = world.getSolverInfo();
@@ -146,6 +154,8 @@ void btElasticPlasticStepControl::addBodies(const btDynamicsWorld& world)
 	const Island none = {0, 0, 0, {0, 0, 0}, 0, false};
 	m_islands.resize(0);
 	m_islands.resize(objects.size(), none);
+	m_isJoined.resize(0);
+	m_isJoined.resize(objects.size(), false);
 	for (int i = 0; i < objects.size(); ++i)
 	{
 		const btRigidBody* const body = btRigidBody::upcast(objects[i]);
@@ -169,12 +179,21 @@ void btElasticPlasticStepControl::addBodies(const btDynamicsWorld& world)
 	}
 }
 
+void btElasticPlasticStepControl::markJoined(const btRigidBody& body)
+{
+	const int index = body.getWorldArrayIndex();
+	if (index >= 0 && index < m_isJoined.size())
+		m_isJoined[index] = !body.isStaticOrKinematicObject();
+}
+
 void btElasticPlasticStepControl::addJoints(btElasticPlasticAction& action, double length)
 {
 	for (int i = action.getNumJoints() - action.getNumBroken() - 1; i >= 0; --i)
 	{
 		const btElasticPlasticJoint& joint = *action.getJoint(i);
 		const btRigidBody &a = joint.getConstraint().getRigidBodyA(), &b = joint.getConstraint().getRigidBodyB();
+		markJoined(a);
+		markJoined(b);
 		const bool isHeld = a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject();
 		const int tag = (a.isStaticOrKinematicObject() ? b : a).getIslandTag();
 		if (tag < 0 || tag >= m_islands.size())
@@ -225,8 +244,8 @@ void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJ
 void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlasticAction& action)
 {
 	restore(world);
-	m_left -= 1 << (MAX_LEVEL - m_level);
-	const btScalar length = m_dt / btScalar(1 << m_level);
+	m_left -= m_parts;
+	const btScalar length = m_dt * btScalar(m_parts) / btScalar(1 << MAX_LEVEL);
 	addBodies(world);
 	addJoints(action, double(length));
 	m_openShare = 0;
@@ -242,78 +261,33 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 		m_openShare = btMax(m_openShare, island.m_openWork / btMax(island.m_energy, island.m_openWork));
 	}
 	if (m_openShare > m_error)
-		m_level = btMin(int(MAX_LEVEL), m_level + int(ceil(0.5 * log2(m_openShare / m_error))));
+		refine(m_level + int(ceil(0.5 * log2(m_openShare / m_error))));
 	m_calm = m_openShare > m_error / 8 ? btScalar(0) : m_calm + length;
 	// A swing has moments at which it leaves little open, and every change of the step takes energy out of it: calm is what
-	// has lasted, or what leaves next to nothing.
+	// has lasted, or what leaves next to nothing. Substeps begin at multiples of their length, so that the step ends with a
+	// whole one.
 	// Twice the substep has four times the T. A spring that is resolved by the level below has T = error / 16: from there on it
 	// takes two coarser steps to see whether there is one.
 	const int resolved = 2 + int(ceil(0.5 * log2(1 / m_error)));
 	m_isSearching &= m_openShare <= m_error / 4 && m_level > resolved;
-	if (m_calm >= CALM_STEPS * m_dt || m_openShare < m_error / 1000 || m_isSearching)
+	const bool fitsTwice = m_level > 0 && m_left % (2 << (MAX_LEVEL - m_level)) == 0;
+	if (fitsTwice && (m_calm >= CALM_STEPS * m_dt || m_openShare < m_error / 1000 || m_isSearching))
 	{
-		m_level = btMax(0, m_level - 1);
+		--m_level;
 		m_calm = 0;
 	}
 }
 
-namespace
-{
-/// What acts on the bodies from outside. Bullet takes it off at the end of each substep.
-class Loads
-{
-public:
-	explicit Loads(const btDynamicsWorld& world) : m_objects(world.getCollisionObjectArray())
-	{
-		for (int i = 0; i < m_objects.size(); ++i)
-		{
-			const btRigidBody* const body = btRigidBody::upcast(m_objects[i]);
-			if (body && !(body->getTotalForce().isZero() && body->getTotalTorque().isZero()))
-				m_loads.insert(btHashPtr(body), {over(body->getTotalForce(), body->getLinearFactor()),
-												 over(body->getTotalTorque(), body->getAngularFactor())});
-		}
-	}
-
-	/// To those bodies that are still there: what breaks may be deleted after any substep.
-	void apply() const
-	{
-		for (int i = 0; i < m_objects.size() && m_loads.size() > 0; ++i)
-			if (const Load* const load = m_loads.find(btHashPtr(m_objects[i])))
-			{
-				btRigidBody& body = *btRigidBody::upcast(m_objects[i]);
-				body.applyCentralForce(load->m_force);
-				body.applyTorque(load->m_torque);
-			}
-	}
-
-private:
-	struct Load
-	{
-		btVector3 m_force, m_torque;
-	};
-
-	/// Bullet multiplies loads by the body's factors when they are applied.
-	static btVector3 over(btVector3 load, const btVector3& factor)
-	{
-		for (int k = 0; k < 3; ++k)
-			load[k] = factor[k] == 0 ? btScalar(0) : load[k] / factor[k];
-		return load;
-	}
-
-	const btCollisionObjectArray& m_objects;
-	btHashMap<btHashPtr, Load> m_loads;
-};
-}  // namespace
-
 int btElasticPlasticStepControl::step(btDynamicsWorld& world, btElasticPlasticAction& action, btScalar dt)
 {
-	const Loads loads(world);
-	int substeps = 0;
 	begin(dt);
+	if (m_left == 0)
+		return 0;
+	btElasticPlasticStepInput input(world, dt);
+	int substeps = 0;
 	for (btScalar length; (length = next(world)) > 0; ++substeps)
 	{
-		if (substeps > 0)
-			loads.apply();
+		input.apply(1 - btScalar(m_left - m_parts) / btScalar(1 << MAX_LEVEL));
 		world.stepSimulation(length, 0);
 		observe(world, action);
 	}

@@ -43,7 +43,12 @@ public:
 	void setError(double error);
 	double getError() const { return m_error; }
 
-	/// Steps the world by dt > 0 [s], in substeps. Forces that were applied before hold throughout.
+	/// Bounds the time that a step can take; where more substeps would be needed getOpenShare() is above the error.
+	/// \param most  1 to 4096, else the nearer of these; of it the largest power of two is taken. Default: 4096
+	void setMaxSubsteps(int most);
+
+	/// Steps the world by dt > 0 [s], in substeps. Forces that were applied before hold throughout, and kinematic bodies go
+	/// evenly to where they were put. Internal tick callbacks come once per substep.
 	/// \return how many substeps; 0, and nothing happens, if dt is not a positive number
 	int step(btDynamicsWorld& world, btElasticPlasticAction& action, btScalar dt);
 
@@ -74,7 +79,7 @@ public:
 	/// Worlds begin with it; it costs some ten substeps.
 	void expectBlow();
 
-	/// Most substeps of a step: 1 << MAX_LEVEL.
+	/// Most substeps of a step that can be: 1 << MAX_LEVEL.
 	static constexpr int MAX_LEVEL = 12;
 
 private:
@@ -88,9 +93,11 @@ private:
 		bool m_isHeld;     ///< by something that does not move with it
 	};
 
+	void refine(int level) { m_level = btMax(m_level, btMin(m_maxLevel, level)); }
 	void lookAhead(btDynamicsWorld& world);
 	void restore(btDynamicsWorld& world);
 	void addBodies(const btDynamicsWorld& world);
+	void markJoined(const btRigidBody& body);
 	void addJoints(btElasticPlasticAction& action, double length);
 	static void addSupport(Island& island, const btRigidBody& support, const btVector3& place);
 	void addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length) const;
@@ -99,12 +106,16 @@ private:
 	btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while a substep is under way
 	bool m_isUnderWay = false;
 	double m_openShare = 0;
-	int m_level;                             ///< the substep is the step over 1 << m_level
+	int m_maxLevel = MAX_LEVEL;
+	int m_level = 0;                         ///< the substep is the step over 1 << m_level
 	bool m_isSearching = true;               ///< for the substep, from the finest up
 	btScalar m_dt = 0;                       ///< of the step
 	btScalar m_calm = 0;                     ///< for how long little has been left open [s]
 	int m_left = 0;                          ///< of the step, in parts of it over 1 << MAX_LEVEL
+	int m_parts = 0;                         ///< that the substep under way takes of them
 	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's tag
+	btAlignedObjectArray<bool>
+		m_isJoined;  ///< by elastic-plastic joints, of the bodies that move; by their place in the world
 };
 
 #endif  // BT_ELASTIC_PLASTIC_STEP_CONTROL_H
