@@ -24,15 +24,36 @@ Outcome solve(const char* problem, double error)
 	return findProblem(problem)->solve(Solver::Direct, stepping);
 }
 
-/// The estimate is of the error's size, no bound of it (btElasticPlasticStepControl.h): three times what is allowed.
+/// The estimate is of the error's size, no bound of it (btElasticPlasticStepControl.h). Where it is known to be too small the error
+/// may be up to four times what is allowed: elastic swings are none of its business, waves in a struck member and a blow on
+/// contacts fall by the root of the step only.
 TEST(StepControl, KeepsToTheErrorThatIsAllowed)
 {
-	for (const char* name :
-		 {"block-released", "block-reversed-60kN", "block-reversed-90kN", "block-overloaded", "sudden-load-1",
-		  "sudden-load-3", "sudden-load-10", "twisted-bar", "cyclic-bending", "hinge-stops-body", "cantilever-at-rest",
-		  "hanging-chain", "beam-fixed", "portal-beam", "parkes-heavy", "parkes-light"})
-		for (const double error : {0.1, 0.01})
-			EXPECT_LT(solve(name, error).error(), 3 * error) << name;
+	for (const Problem& problem : problems())
+	{
+		const std::string name = problem.name;
+		const bool isHard = name == "cantilever-swinging" || name == "parkes-light" || name == "dropped-mass";
+		EXPECT_LT(solve(problem.name, 0.1).error(), 0.1) << name;
+		EXPECT_LT(solve(problem.name, 0.01).error(), isHard ? 0.04 : 0.01) << name;
+	}
+}
+
+TEST(StepControl, WhatFallsKeepsItsSpeedWhenTheSubstepChanges)
+{
+	World world(Solver::Direct, btVector3(0, -10, 0));
+	btRigidBody* const body =
+		world.body(1, world.box(btVector3(1, 1, 1)), btTransform(btQuaternion(0, 0, 0, 1), btVector3(0, 100, 0)));
+	btElasticPlasticStepControl control(0.01);
+	for (int i = 0; i < 60; ++i)
+	{
+		if (i % 20 == 9)
+			control.expectBlow();
+		control.step(world.bullet(), world.action(), btScalar(1) / 60);
+	}
+	EXPECT_EQ(1, control.getSubsteps());
+	// Its velocity stands half a step before, and its first step was 4 us too long, half of one in 4096.
+	EXPECT_NEAR(-10 * (1 - 1. / 120), body->getLinearVelocity().y(), byPrecision(1e-4, 1e-3));
+	EXPECT_NEAR(95, body->getCenterOfMassPosition().y(), byPrecision(1e-4, 1e-2));
 }
 
 TEST(StepControl, LeavesSubstepsOutWhereNothingYields)
@@ -69,8 +90,8 @@ TEST(StepControl, GoesCoarserWhenCalmHasLasted)
 			calmSteps = isCalm && control.getSubsteps() >= before ? calmSteps + 1 : 0;
 			most = btMax(most, calmSteps);
 		}
-		// Four steps, and what is left of the ones in which they begin and end.
-		EXPECT_LE(most, 5) << mass;
+		// Six steps, and what is left of the ones in which they begin and end.
+		EXPECT_LE(most, 7) << mass;
 	}
 }
 
@@ -106,7 +127,7 @@ TEST(StepControl, BringsThemBackForABlow)
 	EXPECT_GE(most, 16);
 	EXPECT_LE(atRest, 2);
 	// The solution at 2 us; steps of 0.26 ms all the time, as fine as these, come to 4.2 % less.
-	EXPECT_NEAR(0.3330, double(beam.sag()), 0.05 * 0.3330);
+	EXPECT_NEAR(0.3330, double(beam.sag()), 0.04 * 0.3330);
 }
 
 TEST(StepControl, PenetrationOfALongStepIsNotShotOut)

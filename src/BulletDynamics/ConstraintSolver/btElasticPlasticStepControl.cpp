@@ -18,6 +18,7 @@ subject to the following restrictions:
 #include <math.h>
 
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+#include "btElasticPlasticFlights.h"
 #include "btElasticPlasticStepInput.h"
 
 void btElasticPlasticStepControl::setError(double error)
@@ -47,76 +48,13 @@ void btElasticPlasticStepControl::begin(btScalar dt)
 	m_level = btMin(m_level, m_maxLevel);
 }
 
-namespace
-{
-/// How fast a body comes near others, where one of the two is joined, over how far it may go in a substep: penetration that
-/// joints are pushed apart by is work from nowhere.
-struct Approach : btBroadphaseAabbCallback
-{
-	btDynamicsWorld& m_world;
-	const btAlignedObjectArray<bool>& m_isJoined;
-	btRigidBody* m_body = nullptr;
-	double m_rate = 0;  ///< the largest [1/s]
-
-	Approach(btDynamicsWorld& world, const btAlignedObjectArray<bool>& isJoined) : m_world(world), m_isJoined(isJoined)
-	{
-	}
-
-	bool isJoined(const btRigidBody& body) const
-	{
-		const int index = body.getWorldArrayIndex();
-		return index >= 0 && index < m_isJoined.size() && m_isJoined[index];
-	}
-
-	static btScalar leastEdge(const btBroadphaseProxy& proxy)
-	{
-		const btVector3 size = proxy.m_aabbMax - proxy.m_aabbMin;
-		return size[size.minAxis()];
-	}
-
-	/// Looks along the way of the next dt.
-	void look(btRigidBody& body, btScalar dt)
-	{
-		const btBroadphaseProxy* const proxy = body.getBroadphaseProxy();
-		const btVector3 way = body.getLinearVelocity() * dt;
-		if (!proxy || proxy->m_collisionFilterMask == 0 || way.length() < SHARE * leastEdge(*proxy))
-			return;
-		btVector3 from = proxy->m_aabbMin, to = proxy->m_aabbMax;
-		from.setMin(from + way);
-		to.setMax(to + way);
-		m_body = &body;
-		m_world.getBroadphase()->aabbTest(from, to, *this);
-	}
-
-	bool process(const btBroadphaseProxy* other) override
-	{
-		btBroadphaseProxy* const mine = m_body->getBroadphaseProxy();
-		btCollisionObject* const object = static_cast<btCollisionObject*>(other->m_clientObject);
-		btRigidBody* const body = btRigidBody::upcast(object);
-		if (other == mine || !body || (!isJoined(*m_body) && !isJoined(*body)) ||
-			!m_world.getPairCache()->needsBroadphaseCollision(mine, const_cast<btBroadphaseProxy*>(other)) ||
-			!m_body->checkCollideWith(body))
-			return true;
-		const btScalar speed = (m_body->getLinearVelocity() - body->getLinearVelocity()).length();
-		m_rate = btMax(m_rate, double(speed / (SHARE * btMin(leastEdge(*mine), leastEdge(*other)))));
-		return true;
-	}
-
-	static constexpr btScalar SHARE = btScalar(0.05);  ///< of the smaller body's least edge
-};
-}  // namespace
+int btElasticPlasticStepControl::getResolvedLevel() const { return 2 + int(ceil(0.5 * log2(1 / m_error))); }
 
 void btElasticPlasticStepControl::lookAhead(btDynamicsWorld& world)
 {
-	Approach approach(world, m_isJoined);
-	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
-	const btScalar length = m_dt / btScalar(1 << m_level);
-	for (int i = 0; i < objects.size(); ++i)
-	{
-		btRigidBody* const body = btRigidBody::upcast(objects[i]);
-		if (body && (body->getInvMass() > 0 || body->isKinematicObject()) && body->isActive())
-			approach.look(*body, length);
-	}
+	const btElasticPlasticApproach approach = btElasticPlasticLookAhead(world, m_isJoined, m_dt);
+	if (approach.m_isBlow)
+		refine(getResolvedLevel());
 	while (m_level < m_maxLevel && approach.m_rate * double(m_dt) > double(1 << m_level))
 		++m_level;
 }
@@ -145,7 +83,10 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	m_isUnderWay = true;
 	info.m_erp *= share;
 	info.m_erp2 *= share;
-	return m_dt * share;
+	const btScalar length = m_dt * share;
+	if (m_length > 0 && m_length != length)
+		btElasticPlasticKeepFlights(world, (m_length - length) / 2);
+	return m_length = length;
 }
 
 void btElasticPlasticStepControl::addBodies(const btDynamicsWorld& world)
@@ -201,7 +142,6 @@ void btElasticPlasticStepControl::addJoints(btElasticPlasticAction& action, doub
 		Island& island = m_islands[tag];
 		if (isHeld)
 			addSupport(island, a.isStaticOrKinematicObject() ? a : b, joint.getPosition());
-		island.m_energy += joint.getPlasticEnergy();
 		for (int r = 0; r < joint.getNumCommittedRows(); ++r)
 			addRow(island, joint, r, length);
 	}
@@ -238,6 +178,7 @@ void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJ
 			return;
 		island.m_energy += 0.5 * yield * yield / stiffness;
 	}
+	island.m_energy += yield * fabs(double(joint.getPlasticDeformation(dof)));
 	island.m_openWork += yield * length * change;
 }
 
@@ -245,9 +186,8 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 {
 	restore(world);
 	m_left -= m_parts;
-	const btScalar length = m_dt * btScalar(m_parts) / btScalar(1 << MAX_LEVEL);
 	addBodies(world);
-	addJoints(action, double(length));
+	addJoints(action, double(m_length));
 	m_openShare = 0;
 	for (int i = 0; i < m_islands.size(); ++i)
 	{
@@ -262,14 +202,12 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 	}
 	if (m_openShare > m_error)
 		refine(m_level + int(ceil(0.5 * log2(m_openShare / m_error))));
-	m_calm = m_openShare > m_error / 8 ? btScalar(0) : m_calm + length;
+	m_calm = m_openShare > m_error / 8 ? btScalar(0) : m_calm + m_length;
 	// A swing has moments at which it leaves little open, and every change of the step takes energy out of it: calm is what
 	// has lasted, or what leaves next to nothing. Substeps begin at multiples of their length, so that the step ends with a
 	// whole one.
-	// Twice the substep has four times the T. A spring that is resolved by the level below has T = error / 16: from there on it
-	// takes two coarser steps to see whether there is one.
-	const int resolved = 2 + int(ceil(0.5 * log2(1 / m_error)));
-	m_isSearching &= m_openShare <= m_error / 4 && m_level > resolved;
+	// Twice the substep has four times the T.
+	m_isSearching &= m_openShare <= m_error / 4 && m_level > getResolvedLevel();
 	const bool fitsTwice = m_level > 0 && m_left % (2 << (MAX_LEVEL - m_level)) == 0;
 	if (fitsTwice && (m_calm >= CALM_STEPS * m_dt || m_openShare < m_error / 1000 || m_isSearching))
 	{

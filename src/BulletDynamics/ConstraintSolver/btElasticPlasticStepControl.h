@@ -22,18 +22,19 @@ subject to the following restrictions:
 /// Chooses the substeps of a world by what they leave open: fine while something yields or is about to, coarse else.
 ///
 /// A substep of length h takes the rate of deformation v as constant. What that leaves out is the second difference of the
-/// deformation, h |v1 - v0|, which falls as h^2. Times the yield value it is work that may have gone one way or the other:
-/// btElasticPlasticJoint::getOpenWork(). Set against the energy that is there to be dissipated,
+/// deformation, h |v1 - v0|, which falls as h^2. Times the yield value it is work that may have gone one way or the other, the
+/// open work. Set against the energy that is at play,
 ///
-///     T = sum of open work / (kinetic energy + plastic energy + energy of the springs at yield),
+///     T = sum of open work / (kinetic energy + energy of the springs at yield + yield values times plastic deformation),
 ///
-/// of an island, it is of the size of the error in how much flows or above it, for single degrees of freedom as for beams
+/// of an island (the deformation that there is, not the path of all that has gone to and fro: each swing counts by itself), it is of the size of the error in how much flows or above it, for single degrees of freedom as for beams
 /// under blows, down to errors of a per cent (docs/performance.md). So h is made so short that T stays below the error
 /// allowed, and doubled after some steps of calm.
 ///
 /// Only degrees of freedom count that have flowed or may reach half of their yield value within a step, by their force's rate
 /// and its change. Elastic motion far from yield asks for nothing: where a structure comes to rest does not depend on the
-/// step. A body that nears a joined one goes no further in a substep than a twentieth of the smaller one's least edge.
+/// step. Before bodies meet of which one is joined the substep is made as fine as for what yields, and finer where they would
+/// go further in it than a twentieth of the smaller one's least edge.
 class btElasticPlasticStepControl
 {
 public:
@@ -84,7 +85,7 @@ public:
 
 private:
 	/// How many steps have to leave little open before the substep is doubled.
-	static constexpr int CALM_STEPS = 4;
+	static constexpr int CALM_STEPS = 6;
 
 	struct Island
 	{
@@ -94,6 +95,9 @@ private:
 	};
 
 	void refine(int level) { m_level = btMax(m_level, btMin(m_maxLevel, level)); }
+	/// From here on coarser steps have to show that they leave little open: a spring that the level below resolves has
+	/// T = error / 16, which takes two of them.
+	int getResolvedLevel() const;
 	void lookAhead(btDynamicsWorld& world);
 	void restore(btDynamicsWorld& world);
 	void addBodies(const btDynamicsWorld& world);
@@ -110,6 +114,7 @@ private:
 	int m_level = 0;                         ///< the substep is the step over 1 << m_level
 	bool m_isSearching = true;               ///< for the substep, from the finest up
 	btScalar m_dt = 0;                       ///< of the step
+	btScalar m_length = 0;                   ///< of the substep, the last one
 	btScalar m_calm = 0;                     ///< for how long little has been left open [s]
 	int m_left = 0;                          ///< of the step, in parts of it over 1 << MAX_LEVEL
 	int m_parts = 0;                         ///< that the substep under way takes of them
