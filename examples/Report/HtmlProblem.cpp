@@ -22,10 +22,11 @@ std::string milliseconds(double seconds)
 
 void budgets(std::ostream& out, const Selection& records)
 {
-	// Whoever uses Bullet has a choice of its settings, not of engines.
+	// Whoever uses Bullet has a choice of its settings, not of engines. NNCG may be quick here and blow up the next scene.
 	Selection bullets, outside;
 	for (const Record* r : records)
-		(r->isOutside() ? outside : bullets).push_back(r);
+		if (r->solver != "nncg")
+			(r->isOutside() ? outside : bullets).push_back(r);
 	const char* const heads = "</th><th>Error</th><th>Run time per second</th>";
 	out << "<table><tr><th>Error allowed</th><th>Recommended setting" << heads;
 	if (!outside.empty())
@@ -45,9 +46,8 @@ void budgets(std::ostream& out, const Selection& records)
 		}
 		out << "</tr>\n";
 	}
-	out << "</table>\n<p>Recommended is the quickest that keeps to the error with every finer step as well; the "
-		   "profile "
-		   "finds the step by itself.</p>\n";
+	out << "</table>\n<p>Recommended is the quickest that keeps to the error with every finer step as well, "
+		   "without NNCG, which is not safe; the profile finds the step by itself.</p>\n";
 	if (!outside.empty())
 		out << "<p>ODE's fixed joints have its default ERP and CFM and hardly give way. Its springs are ball joints "
 			   "and angular motors that ERP and CFM give the section's stiffness; a fixed joint cannot be given one "

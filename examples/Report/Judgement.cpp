@@ -59,8 +59,8 @@ double orderOf(const std::vector<const Record*>& records, const std::string& fam
 	double n = 0, x = 0, y = 0, xx = 0, xy = 0;
 	for (const Record* r : records)
 	{
-		if (r->family() != family || r->substeps != 1 || r->iterations != 10 || r->jointClass == "spring" ||
-			r->precision != "double" || !(r->error > 1e-12) || r->error > 0.5)
+		if (r->family() != family || r->budget > 0 || r->substeps != 1 || r->iterations != 10 ||
+			r->jointClass == "spring" || r->precision != "double" || !(r->error > 1e-12) || r->error > 0.5)
 			continue;
 		const double u = std::log(r->dt), v = std::log(r->error);
 		n += 1;

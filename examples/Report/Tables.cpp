@@ -40,7 +40,8 @@ Grid overviewOf(const ByProblem& problems)
 	Grid grid;
 	grid.title = "Relative error at 1/60 s";
 	grid.what =
-		"Iterative solvers with 10 iterations; only the profile, for 1 %, takes substeps. Green keeps to 1 %, dark "
+		"In float; iterative solvers with 10 iterations; only the profile, for 1 %, takes substeps. Green keeps to 1 "
+		"%, dark "
 		"green to 0.1 %, yellow to 10 %.";
 	const std::vector<Family> compared = familiesOf(problems);
 	for (const Family& family : compared)

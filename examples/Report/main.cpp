@@ -23,7 +23,7 @@ struct Options
 {
 	std::string out = "report", shard;
 	std::vector<std::string> problems;
-	int jobs = 1, repeats = 3;
+	int jobs = 1, repeats = 0;
 	bool quick = false, few = false, list = false;
 };
 
@@ -101,18 +101,18 @@ void checkSettings(const fs::path& out, bool few)
 
 void run(const Options& o, const char* self)
 {
-	checkSettings(o.out, o.quick || o.few);
 	ep::RunnerSettings settings;
 	settings.programs = programsBeside(self);
 	settings.folder = (fs::path(o.out) / "cases").string();
 	settings.jobs = o.jobs;
 	settings.quick = o.quick || o.few;
-	settings.repeats = o.quick ? 1 : o.repeats;
+	settings.repeats = o.repeats > 0 ? o.repeats : o.quick ? 1 : 3;
 	std::vector<std::string> precisions;
 	for (const auto& program : settings.programs)
 		precisions.push_back(program.first);
 	const std::vector<ep::Case> cases =
 		shardOf(ep::casesOf(o.problems.empty() ? allProblems() : o.problems, precisions, o.quick), o.shard);
+	checkSettings(o.out, settings.quick);
 	const int failed = ep::runCases(cases, settings);
 
 	const ep::Merged merged = ep::mergeRecords(settings.folder);
@@ -161,9 +161,8 @@ int main(int argc, char** argv)
 		->check(CLI::Range(1, 1024))
 		->capture_default_str();
 	app.add_option("--shard", o.shard, "i/n: only every n-th case from the i-th; the same folder collects all shards");
-	app.add_option("--repeats", o.repeats, "Runs of which the median time counts")
-		->check(CLI::Range(1, 1000))
-		->capture_default_str();
+	app.add_option("--repeats", o.repeats, "Runs of which the median time counts; default: 3, with --quick 1")
+		->check(CLI::Range(1, 1000));
 	app.add_flag("--list", o.list, "Tells the problems");
 	CLI11_PARSE(app, argc, argv);
 	if (o.list)
