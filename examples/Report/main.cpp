@@ -154,7 +154,7 @@ int main(int argc, char** argv)
 	CLI::App app("Error against run time: every reference problem by every method");
 	app.add_option("--out", o.out, "Folder for the report; a report begun there goes on")->capture_default_str();
 	app.add_flag("--quick", o.quick, "Few steps and methods: some minutes");
-	app.add_flag("--few", o.few, "All steps, but few methods: half an hour in place of hours");
+	app.add_flag("--few", o.few, "All steps, but few methods: a quarter of the time");
 	app.add_option("--problem", o.problems, "Only this problem; may be given several times")
 		->check(CLI::IsMember(allProblems()));
 	app.add_option("--jobs", o.jobs, "Cases computed at the same time; 1 for times that can be trusted")
