@@ -92,7 +92,7 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 void btElasticPlasticStepControl::addBodies(const btDynamicsWorld& world)
 {
 	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
-	const Island none = {0, 0, 0, {0, 0, 0}, 0, false};
+	const Island none = {0, 0, 0, 0, {0, 0, 0}, 0, false};
 	m_islands.resize(0);
 	m_islands.resize(objects.size(), none);
 	m_isJoined.resize(0);
@@ -142,8 +142,9 @@ void btElasticPlasticStepControl::addJoints(btElasticPlasticAction& action, doub
 		Island& island = m_islands[tag];
 		if (isHeld)
 			addSupport(island, a.isStaticOrKinematicObject() ? a : b, joint.getPosition());
+		const double place = double(joint.getPosition().length()) + 1;
 		for (int r = 0; r < joint.getNumCommittedRows(); ++r)
-			addRow(island, joint, r, length);
+			addRow(island, joint, r, length, place);
 	}
 }
 
@@ -158,7 +159,8 @@ void btElasticPlasticStepControl::addSupport(Island& island, const btRigidBody& 
 	island.m_isHeld = true;
 }
 
-void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length) const
+void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length,
+										 double place) const
 {
 	int dof;
 	btScalar before, after;
@@ -180,6 +182,8 @@ void btElasticPlasticStepControl::addRow(Island& island, const btElasticPlasticJ
 	}
 	island.m_energy += yield * fabs(double(joint.getPlasticDeformation(dof)));
 	island.m_openWork += yield * length * change;
+	const double rounding = 4 * double(SIMD_EPSILON) * (dof < 3 ? place : 1.);
+	island.m_roundedWork += yield * btMin(length * change, rounding);
 }
 
 void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlasticAction& action)
@@ -189,6 +193,7 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 	addBodies(world);
 	addJoints(action, double(m_length));
 	m_openShare = 0;
+	double mendable = 0;
 	for (int i = 0; i < m_islands.size(); ++i)
 	{
 		Island& island = m_islands[i];
@@ -198,10 +203,12 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 		for (int k = 0; k < 3 && !island.m_isHeld; ++k)
 			island.m_carried += 0.5 * island.m_momentum[k] * island.m_momentum[k] / island.m_mass;
 		island.m_energy -= island.m_carried;
-		m_openShare = btMax(m_openShare, island.m_openWork / btMax(island.m_energy, island.m_openWork));
+		const double energy = btMax(island.m_energy, island.m_openWork);
+		m_openShare = btMax(m_openShare, island.m_openWork / energy);
+		mendable = btMax(mendable, (island.m_openWork - island.m_roundedWork) / energy);
 	}
-	if (m_openShare > m_error)
-		refine(m_level + int(ceil(0.5 * log2(m_openShare / m_error))));
+	if (mendable > m_error)
+		refine(m_level + int(ceil(0.5 * log2(mendable / m_error))));
 	m_calm = m_openShare > m_error / 8 ? btScalar(0) : m_calm + m_length;
 	// A swing has moments at which it leaves little open, and every change of the step takes energy out of it: calm is what
 	// has lasted, or what leaves next to nothing. Substeps begin at multiples of their length, so that the step ends with a

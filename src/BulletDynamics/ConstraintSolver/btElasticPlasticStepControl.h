@@ -89,7 +89,9 @@ private:
 
 	struct Island
 	{
-		double m_openWork, m_energy, m_mass, m_momentum[3];
+		double m_openWork;
+		double m_roundedWork;  ///< of it, what may be the rounding of places: shorter substeps do not mend that
+		double m_energy, m_mass, m_momentum[3];
 		double m_carried;  ///< of the kinetic energy, what the motion of the whole is
 		bool m_isHeld;     ///< by something that does not move with it
 	};
@@ -104,7 +106,7 @@ private:
 	void markJoined(const btRigidBody& body);
 	void addJoints(btElasticPlasticAction& action, double length);
 	static void addSupport(Island& island, const btRigidBody& support, const btVector3& place);
-	void addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length) const;
+	void addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length, double place) const;
 
 	double m_error;
 	btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while a substep is under way
