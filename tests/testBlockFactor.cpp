@@ -1,4 +1,4 @@
-// The sparse block matrix and its Cholesky factor, against dense ones.
+// The Cholesky factor of the sparse block matrix, against dense ones.
 
 #include <math.h>
 #include <string.h>
@@ -10,34 +10,15 @@
 
 #include <gtest/gtest.h>
 
-#include "BlockGraphs.h"
+#include "BlockMatrices.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticBlockFactor.h"
 
 namespace
 {
-using ep::BlockGraph;
-using Matrix = btElasticPlasticBlockMatrix;
+using namespace ep;
 using Factor = btElasticPlasticBlockFactor;
-using Values = std::vector<double>;
 
 const int Widths[] = {2, 4, 8};
-
-Matrix matrixOf(const BlockGraph& graph, double stiffness = 10, unsigned seed = 1)
-{
-	Matrix matrix;
-	matrix.setPattern(graph.m_numBodies, graph.edges(), int(graph.m_edges.size()));
-	assemble(graph, stiffness, seed, matrix);
-	return matrix;
-}
-
-Values randomValues(int numBodies, unsigned seed = 7)
-{
-	std::mt19937 random(seed);
-	Values x(6 * size_t(numBodies));
-	for (double& value : x)
-		value = double(random()) / 2147483648.0 - 1;
-	return x;
-}
 
 Values solved(const Factor& factor, Values x)
 {
@@ -45,55 +26,9 @@ Values solved(const Factor& factor, Values x)
 	return x;
 }
 
-Values product(const Matrix& matrix, const Values& x)
-{
-	Values y(x.size());
-	matrix.multiply(x.data(), y.data());
-	return y;
-}
-
-double norm(const Values& x)
-{
-	double largest = 0;
-	for (const double value : x)
-		largest = std::max(largest, fabs(value));
-	return largest;
-}
-
-double difference(const Values& a, const Values& b)
-{
-	Values d(a.size());
-	for (size_t i = 0; i < a.size(); ++i)
-		d[i] = a[i] - b[i];
-	return norm(d) / std::max(norm(a), 1e-300);
-}
-
 bool sameBits(const Values& a, const Values& b)
 {
 	return a.size() == b.size() && (a.empty() || memcmp(a.data(), b.data(), sizeof(double) * a.size()) == 0);
-}
-
-/// The matrix by the definition of its blocks: full, row by row.
-Values dense(Matrix& matrix, const BlockGraph& graph)
-{
-	const size_t n = 6 * size_t(graph.m_numBodies);
-	Values full(n * n);
-	const auto put = [&](int rows, int columns, const double* block, bool transposed)
-	{
-		for (int r = 0; r < 6; ++r)
-			for (int c = 0; c < 6; ++c)
-				full[(6 * rows + r) * n + 6 * columns + c] = block[transposed ? 6 * r + c : 6 * c + r];
-	};
-	for (int i = 0; i < graph.m_numBodies; ++i)
-		put(i, i, matrix.diagonal(i), false);
-	for (int e = 0; e < int(graph.m_edges.size()); ++e)
-	{
-		bool transposed;
-		const double* block = matrix.offDiagonal(e, transposed);
-		put(graph.m_edges[e][0], graph.m_edges[e][1], block, transposed);
-		put(graph.m_edges[e][1], graph.m_edges[e][0], block, !transposed);
-	}
-	return full;
 }
 
 /// Textbook Cholesky.
@@ -121,46 +56,6 @@ Values denseSolution(Values a, Values x)
 		x[i] /= a[i * n + i];
 	}
 	return x;
-}
-
-BlockGraph withoutEdges(int numBodies)
-{
-	BlockGraph graph;
-	graph.m_numBodies = numBodies;
-	return graph;
-}
-
-/// Parts that have nothing to do with each other, in one graph.
-BlockGraph together(const std::vector<BlockGraph>& parts)
-{
-	BlockGraph graph;
-	for (const BlockGraph& part : parts)
-	{
-		for (const auto& edge : part.m_edges)
-			graph.join(graph.m_numBodies + edge[0], graph.m_numBodies + edge[1]);
-		graph.m_numBodies += part.m_numBodies;
-	}
-	return graph;
-}
-
-const std::vector<std::pair<std::string, BlockGraph>>& smallGraphs()
-{
-	static const std::vector<std::pair<std::string, BlockGraph>> graphs = {
-		{"body", withoutEdges(1)},
-		{"bodies", withoutEdges(5)},
-		{"pair", ep::chains(1, 2)},
-		{"chain", ep::chains(1, 30)},
-		{"chains", ep::chains(7, 4)},
-		{"plate", ep::grid(7, 6, 1)},
-		{"solid", ep::grid(3, 4, 4)},
-		{"star", ep::star(40)},
-		{"tree", ep::randomTree(50, 3)},
-		{"sparse", ep::randomGraph(45, 60, 4)},
-		{"dense", ep::randomGraph(30, 400, 5)},
-		{"complete", ep::randomGraph(9, 400, 6)},
-		{"parts", together({ep::grid(4, 4, 1), withoutEdges(2), ep::star(5), ep::chains(1, 6)})},
-	};
-	return graphs;
 }
 
 TEST(BlockFactor, SolvesLikeADenseOne)
@@ -227,55 +122,6 @@ TEST(BlockFactor, WidthsAgree)
 			narrow = x;
 		EXPECT_LT(difference(narrow, x), 1e-12);
 	}
-}
-
-TEST(BlockMatrix, MultipliesLikeADenseOne)
-{
-	for (const auto& [name, graph] : smallGraphs())
-	{
-		SCOPED_TRACE(name);
-		Matrix matrix = matrixOf(graph);
-		const Values x = randomValues(graph.m_numBodies), full = dense(matrix, graph);
-		Values expected(x.size());
-		for (size_t i = 0; i < x.size(); ++i)
-			for (size_t j = 0; j < x.size(); ++j)
-				expected[i] += full[i * x.size() + j] * x[j];
-		EXPECT_LT(difference(expected, product(matrix, x)), 1e-13);
-	}
-}
-
-TEST(BlockMatrix, RepeatedEdgesShareABlock)
-{
-	const int edges[][2] = {{2, 0}, {0, 1}, {0, 2}, {1, 0}, {2, 0}};
-	Matrix matrix;
-	matrix.setPattern(3, edges, 5);
-	EXPECT_EQ(matrix.getNumPairs(), 2);
-	bool transposed[5];
-	double* block[5];
-	for (int e = 0; e < 5; ++e)
-		block[e] = matrix.offDiagonal(e, transposed[e]);
-	EXPECT_EQ(block[0], block[2]);
-	EXPECT_EQ(block[0], block[4]);
-	EXPECT_EQ(block[1], block[3]);
-	EXPECT_NE(block[0], block[1]);
-	EXPECT_EQ(transposed[0], transposed[4]);
-	EXPECT_NE(transposed[0], transposed[2]);
-	EXPECT_NE(transposed[1], transposed[3]);
-
-	// Rows of an edge's block are its first body's: degree of freedom 4 of body 2 feels 1 of body 0.
-	block[0][transposed[0] ? 6 * 4 + 1 : 6 * 1 + 4] = 3;
-	Values x(18), expected(18);
-	x[1] = 1;
-	expected[12 + 4] = 3;
-	EXPECT_EQ(product(matrix, x), expected);
-	x[1] = 0;
-	x[12 + 4] = 1;
-	expected[12 + 4] = 0;
-	expected[1] = 3;
-	EXPECT_EQ(product(matrix, x), expected);
-
-	matrix.setZero();
-	EXPECT_EQ(norm(product(matrix, Values(18, 1.0))), 0);
 }
 
 TEST(BlockFactor, EmptyMatrix)

@@ -46,10 +46,7 @@ const char* nameOf(JointClass jointClass) { return jointClass == JointClass::Spr
 namespace
 {
 bool iterates(Solver solver) { return solver != Solver::Mlcp && solver != Solver::Direct; }
-}  // namespace
 
-namespace
-{
 void addParts(std::vector<Setting>& settings)
 {
 	Setting whole = {Solver::Direct, "everything"};

@@ -26,19 +26,11 @@ namespace
 struct Approach : btBroadphaseAabbCallback
 {
 	btDynamicsWorld& m_world;
-	const btAlignedObjectArray<bool>& m_isJoined;
+	const btElasticPlasticBodyMarks& m_joined;
 	btRigidBody* m_body = nullptr;
 	btElasticPlasticApproach m_result;
 
-	Approach(btDynamicsWorld& world, const btAlignedObjectArray<bool>& isJoined) : m_world(world), m_isJoined(isJoined)
-	{
-	}
-
-	bool isJoined(const btRigidBody& body) const
-	{
-		const int index = body.getWorldArrayIndex();
-		return index >= 0 && index < m_isJoined.size() && m_isJoined[index];
-	}
+	Approach(btDynamicsWorld& world, const btElasticPlasticBodyMarks& joined) : m_world(world), m_joined(joined) {}
 
 	static btScalar leastEdge(const btBroadphaseProxy& proxy)
 	{
@@ -64,7 +56,7 @@ struct Approach : btBroadphaseAabbCallback
 		btBroadphaseProxy* const mine = m_body->getBroadphaseProxy();
 		btCollisionObject* const object = static_cast<btCollisionObject*>(other->m_clientObject);
 		btRigidBody* const body = btRigidBody::upcast(object);
-		if (other == mine || !body || (!isJoined(*m_body) && !isJoined(*body)) ||
+		if (other == mine || !body || (!m_joined.isMarked(*m_body) && !m_joined.isMarked(*body)) ||
 			!m_world.getPairCache()->needsBroadphaseCollision(mine, const_cast<btBroadphaseProxy*>(other)) ||
 			!m_body->checkCollideWith(body))
 			return true;
@@ -79,10 +71,10 @@ struct Approach : btBroadphaseAabbCallback
 };
 }  // namespace
 
-btElasticPlasticApproach btElasticPlasticLookAhead(btDynamicsWorld& world, const btAlignedObjectArray<bool>& isJoined,
+btElasticPlasticApproach btElasticPlasticLookAhead(btDynamicsWorld& world, const btElasticPlasticBodyMarks& joined,
 												   btScalar dt)
 {
-	Approach approach(world, isJoined);
+	Approach approach(world, joined);
 	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
 	for (int i = 0; i < objects.size(); ++i)
 	{
@@ -93,52 +85,36 @@ btElasticPlasticApproach btElasticPlasticLookAhead(btDynamicsWorld& world, const
 	return approach.m_result;
 }
 
-namespace
-{
 /// Which of the world's bodies have constraints or contacts.
-class Held
+static btElasticPlasticBodyMarks findHeld(btDynamicsWorld& world)
 {
-public:
-	explicit Held(btDynamicsWorld& world)
+	btElasticPlasticBodyMarks held;
+	held.clear(world.getNumCollisionObjects());
+	for (int i = 0; i < world.getNumConstraints(); ++i)
 	{
-		m_isHeld.resize(world.getNumCollisionObjects(), false);
-		for (int i = 0; i < world.getNumConstraints(); ++i)
-		{
-			mark(world.getConstraint(i)->getRigidBodyA());
-			mark(world.getConstraint(i)->getRigidBodyB());
-		}
-		btDispatcher& dispatcher = *world.getDispatcher();
-		for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
-		{
-			const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-			if (manifold.getNumContacts() == 0)
-				continue;
-			mark(*manifold.getBody0());
-			mark(*manifold.getBody1());
-		}
+		held.mark(world.getConstraint(i)->getRigidBodyA());
+		held.mark(world.getConstraint(i)->getRigidBodyB());
 	}
-	bool operator[](int index) const { return m_isHeld[index]; }
-
-private:
-	void mark(const btCollisionObject& object)
+	btDispatcher& dispatcher = *world.getDispatcher();
+	for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
 	{
-		const int index = object.getWorldArrayIndex();
-		if (index >= 0 && index < m_isHeld.size())
-			m_isHeld[index] = true;
+		const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+		if (manifold.getNumContacts() == 0)
+			continue;
+		held.mark(*manifold.getBody0());
+		held.mark(*manifold.getBody1());
 	}
-
-	btAlignedObjectArray<bool> m_isHeld;
-};
-}  // namespace
+	return held;
+}
 
 void btElasticPlasticKeepFlights(btDynamicsWorld& world, btScalar later)
 {
-	const Held held(world);
+	const btElasticPlasticBodyMarks held = findHeld(world);
 	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
 	for (int i = 0; i < objects.size(); ++i)
 	{
 		btRigidBody* const body = btRigidBody::upcast(objects[i]);
-		if (body && body->getInvMass() > 0 && body->isActive() && !held[i])
+		if (body && body->getInvMass() > 0 && body->isActive() && !held.isMarked(*body))
 			body->setLinearVelocity(body->getLinearVelocity() + body->getGravity() * body->getLinearFactor() * later);
 	}
 }

@@ -16,8 +16,8 @@ subject to the following restrictions:
 #ifndef BT_ELASTIC_PLASTIC_FLIGHTS_H
 #define BT_ELASTIC_PLASTIC_FLIGHTS_H
 
-#include "LinearMath/btAlignedObjectArray.h"
 #include "LinearMath/btScalar.h"
+#include "btElasticPlasticBodyMarks.h"
 
 class btDynamicsWorld;
 
@@ -33,8 +33,8 @@ struct btElasticPlasticApproach
 };
 
 /// Looks along the ways of the next dt [s].
-/// \param isJoined  by elastic-plastic joints, by place in the world; may be shorter
-btElasticPlasticApproach btElasticPlasticLookAhead(btDynamicsWorld& world, const btAlignedObjectArray<bool>& isJoined,
+/// \param joined  those that elastic-plastic joints hold
+btElasticPlasticApproach btElasticPlasticLookAhead(btDynamicsWorld& world, const btElasticPlasticBodyMarks& joined,
 												   btScalar dt);
 
 /// Bullet's velocities stand half a substep before its places. A substep of another length moves that time, and what falls

@@ -52,7 +52,7 @@ int btElasticPlasticStepControl::getResolvedLevel() const { return 2 + int(ceil(
 
 void btElasticPlasticStepControl::lookAhead(btDynamicsWorld& world)
 {
-	const btElasticPlasticApproach approach = btElasticPlasticLookAhead(world, m_isJoined, m_dt);
+	const btElasticPlasticApproach approach = btElasticPlasticLookAhead(world, m_joined, m_dt);
 	if (approach.m_isBlow)
 		refine(getResolvedLevel());
 	while (m_level < m_maxLevel && approach.m_rate * double(m_dt) > double(1 << m_level))
@@ -95,8 +95,7 @@ void btElasticPlasticStepControl::addBodies(const btDynamicsWorld& world)
 	const Island none = {0, 0, 0, 0, {0, 0, 0}, 0, false};
 	m_islands.resize(0);
 	m_islands.resize(objects.size(), none);
-	m_isJoined.resize(0);
-	m_isJoined.resize(objects.size(), false);
+	m_joined.clear(objects.size());
 	for (int i = 0; i < objects.size(); ++i)
 	{
 		const btRigidBody* const body = btRigidBody::upcast(objects[i]);
@@ -120,21 +119,15 @@ void btElasticPlasticStepControl::addBodies(const btDynamicsWorld& world)
 	}
 }
 
-void btElasticPlasticStepControl::markJoined(const btRigidBody& body)
-{
-	const int index = body.getWorldArrayIndex();
-	if (index >= 0 && index < m_isJoined.size())
-		m_isJoined[index] = !body.isStaticOrKinematicObject();
-}
-
 void btElasticPlasticStepControl::addJoints(btElasticPlasticAction& action, double length)
 {
 	for (int i = action.getNumJoints() - action.getNumBroken() - 1; i >= 0; --i)
 	{
 		const btElasticPlasticJoint& joint = *action.getJoint(i);
 		const btRigidBody &a = joint.getConstraint().getRigidBodyA(), &b = joint.getConstraint().getRigidBodyB();
-		markJoined(a);
-		markJoined(b);
+		for (const btRigidBody* body : {&a, &b})
+			if (!body->isStaticOrKinematicObject())
+				m_joined.mark(*body);
 		const bool isHeld = a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject();
 		const int tag = (a.isStaticOrKinematicObject() ? b : a).getIslandTag();
 		if (tag < 0 || tag >= m_islands.size())

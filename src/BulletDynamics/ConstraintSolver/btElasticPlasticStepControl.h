@@ -18,6 +18,7 @@ subject to the following restrictions:
 
 #include "LinearMath/btAlignedObjectArray.h"
 #include "btElasticPlasticAction.h"
+#include "btElasticPlasticBodyMarks.h"
 
 /// Chooses the substeps of a world by what they leave open: fine while something yields or is about to, coarse else.
 ///
@@ -103,7 +104,6 @@ private:
 	void lookAhead(btDynamicsWorld& world);
 	void restore(btDynamicsWorld& world);
 	void addBodies(const btDynamicsWorld& world);
-	void markJoined(const btRigidBody& body);
 	void addJoints(btElasticPlasticAction& action, double length);
 	static void addSupport(Island& island, const btRigidBody& support, const btVector3& place);
 	void addRow(Island& island, const btElasticPlasticJoint& joint, int r, double length, double place) const;
@@ -121,8 +121,7 @@ private:
 	int m_left = 0;                          ///< of the step, in parts of it over 1 << MAX_LEVEL
 	int m_parts = 0;                         ///< that the substep under way takes of them
 	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's tag
-	btAlignedObjectArray<bool>
-		m_isJoined;  ///< by elastic-plastic joints, of the bodies that move; by their place in the world
+	btElasticPlasticBodyMarks m_joined;      ///< those that move and that elastic-plastic joints hold
 };
 
 #endif  // BT_ELASTIC_PLASTIC_STEP_CONTROL_H
