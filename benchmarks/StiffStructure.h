@@ -1,10 +1,13 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 #ifndef EP_STIFF_STRUCTURE_H
 #define EP_STIFF_STRUCTURE_H
 
 #include <string>
 #include <vector>
 
-#include "World.h"
+#include "world/World.h"
 
 namespace ep
 {

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 // The direct solver's linear algebra: analysis, factorisation, solution and product for chains, a building's frame and a wall.
 // The argument is the number of doubles in a vector, at most; 2 is what every x86-64 processor has. Where Eigen is found,
 // its SimplicialLDLT takes turns with us, so that the ratio (how many times as long it takes) holds on a noisy machine.
@@ -9,8 +12,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "../tests/BlockGraphs.h"
-#include "BulletDynamics/ConstraintSolver/btElasticPlasticBlockFactor.h"
+#include "../tests/linear/BlockGraphs.h"
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/linear/BlockFactor.h"
 
 #if __has_include(<Eigen/SparseCholesky>)
 #define EP_WITH_EIGEN
@@ -24,8 +27,8 @@ using namespace ep;
 /// A matrix, our factor and Eigen's, and a right-hand side.
 struct Problem
 {
-	btElasticPlasticBlockMatrix m_matrix;
-	btElasticPlasticBlockFactor m_factor;
+	btElasticPlastic::BlockMatrix m_matrix;
+	btElasticPlastic::BlockFactor m_factor;
 	std::vector<double> m_right, m_x;
 #ifdef EP_WITH_EIGEN
 	Eigen::SparseMatrix<double> m_eigenMatrix;

@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 // The direct solver against Bullet's own with 10 iterations, whole steps of 1/60 s on the same bodies, which Bullet's joins by
 // btGeneric6DofSpring2Constraint. Both take turns, so that the ratio holds on a noisy machine. What either gives for it is
 // another matter: 10 iterations do not hold any of these structures.

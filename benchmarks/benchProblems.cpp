@@ -1,8 +1,11 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 // The reference problems, whole: what each takes at the game's step of 1/60 s, and how right it comes out.
 
 #include <benchmark/benchmark.h>
 
-#include "Problem.h"
+#include "problems/Problem.h"
 
 namespace
 {

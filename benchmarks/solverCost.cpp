@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 // Cost of a step over the size of a structure, the direct solver's and that of Bullet's own with 10 iterations:
 // ep-solver-cost DIR writes solver-cost.csv, solver-cost.svg (a joint's share of a step) and solver-parts.svg (where the
 // direct solver's time goes) to a folder. Some minutes; the machine should have nothing else to do.
@@ -8,8 +11,8 @@
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "StiffStructure.h"
-#include "outputFiles.h"
-#include "plot.h"
+#include "cli/OutputFiles.h"
+#include "plot/Plot.h"
 
 namespace
 {

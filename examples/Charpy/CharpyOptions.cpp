@@ -1,8 +1,11 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 #include "CharpyOptions.h"
 
 #include <cstdio>
 
-#include "OptionRange.h"
+#include "cli/OptionRange.h"
 
 namespace ep
 {

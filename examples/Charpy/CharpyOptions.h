@@ -1,10 +1,13 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 #ifndef EP_CHARPY_OPTIONS_H
 #define EP_CHARPY_OPTIONS_H
 
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "CharpySettings.h"
+#include "test/CharpySettings.h"
 
 namespace ep
 {

@@ -1,16 +1,19 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 
 #include "CharpyOptions.h"
-#include "CharpyPictures.h"
-#include "CharpyReport.h"
-#include "CharpyScene.h"
-#include "CharpyStudies.h"
-#include "OptionRange.h"
-#include "outputFiles.h"
+#include "view/CharpyPictures.h"
+#include "studies/CharpyReport.h"
+#include "view/CharpyScene.h"
+#include "studies/CharpyStudies.h"
+#include "cli/OptionRange.h"
+#include "cli/OutputFiles.h"
 #ifdef EP_WITH_VIEWER
-#include "viewer.h"
+#include "viewer/Viewer.h"
 #endif
 
 namespace

@@ -1,16 +1,19 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 #ifndef EP_DEMOLISHER_H
 #define EP_DEMOLISHER_H
 
 #include <cmath>
 #include <memory>
 
-#include "Autopilot.h"
-#include "Bridge.h"
-#include "Fence.h"
-#include "Gate.h"
-#include "JointBook.h"
-#include "Rod.h"
-#include "Vehicle.h"
+#include "vehicle/Autopilot.h"
+#include "structures/Bridge.h"
+#include "structures/Fence.h"
+#include "structures/Gate.h"
+#include "structures/JointBook.h"
+#include "structures/Rod.h"
+#include "vehicle/Vehicle.h"
 
 namespace ep
 {

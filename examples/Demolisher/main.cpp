@@ -1,13 +1,16 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <iostream>
 
-#include "Comparison.h"
-#include "DemolisherOptions.h"
-#include "Headless.h"
-#include "OptionRange.h"
+#include "runs/Comparison.h"
+#include "runs/DemolisherOptions.h"
+#include "runs/Headless.h"
+#include "cli/OptionRange.h"
 #ifdef EP_WITH_VIEWER
-#include "viewer.h"
+#include "viewer/Viewer.h"
 #endif
 
 namespace

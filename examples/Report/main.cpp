@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <ctime>
@@ -6,14 +9,14 @@
 #include <iostream>
 #include <thread>
 
-#include "Html.h"
-#include "Pictures.h"
+#include "page/Html.h"
+#include "page/Pictures.h"
 #include "LinearMath/btScalar.h"
-#include "Problem.h"
-#include "Records.h"
-#include "Runner.h"
-#include "Tables.h"
-#include "outputFiles.h"
+#include "problems/Problem.h"
+#include "collect/Records.h"
+#include "collect/Runner.h"
+#include "page/Tables.h"
+#include "cli/OutputFiles.h"
 
 namespace
 {

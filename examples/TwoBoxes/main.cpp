@@ -1,3 +1,6 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
 // The smallest program that works: a box hangs from another on a steel rod, yields, and tears off.
 #include <cstdio>
 

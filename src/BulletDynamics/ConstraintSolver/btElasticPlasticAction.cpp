@@ -1,24 +1,12 @@
-/*
-Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
-Copyright (c) 2026 Bullet Elastic-Plastic contributors
-
-This software is provided 'as-is', without any express or implied warranty.
-In no event will the authors be held liable for any damages arising from the use of this software.
-Permission is granted to anyone to use this software for any purpose,
-including commercial applications, and to alter it and redistribute it freely,
-subject to the following restrictions:
-
-1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
-2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
-3. This notice may not be removed or altered from any source distribution.
-*/
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
 
 #include "btElasticPlasticAction.h"
 
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 #include "LinearMath/btQuickprof.h"
 #include "btElasticPlasticDebugDraw.h"
-#include "btElasticPlasticParting.h"
+#include "ElasticPlastic/joint/Separation.h"
 
 #include <stdio.h>
 
@@ -207,7 +195,7 @@ bool btElasticPlasticAction::removeBroken(btDynamicsWorld& world, btElasticPlast
 	for (int i = 0; i < a.getNumConstraintRefs() && !kept; ++i)
 		kept = a.getConstraintRef(i) == &constraint;
 	world.removeConstraint(&constraint);
-	if (kept && btElasticPlasticOverlap(world, a, b) > BT_EP_PARTING_SLOP)
+	if (kept && btElasticPlastic::overlapOf(world, a, b) > btElasticPlastic::SEPARATION_SLOP)
 	{
 		// Without rows, and without keeping the bodies from colliding: it is there to be called between collision detection and solver.
 		world.addConstraint(&constraint, false);
@@ -225,7 +213,7 @@ void btElasticPlasticAction::endPartings()
 	for (int i = 0; i < m_broken.size() && m_parting > 0; ++i)
 	{
 		btElasticPlasticJoint& joint = *m_broken[i].m_joint;
-		if (joint.m_overlap <= BT_EP_PARTING_SLOP)
+		if (joint.m_overlap <= btElasticPlastic::SEPARATION_SLOP)
 			endParting(joint);
 	}
 }

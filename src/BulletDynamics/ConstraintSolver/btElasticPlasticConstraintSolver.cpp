@@ -1,17 +1,5 @@
-/*
-Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
-Copyright (c) 2026 Bullet Elastic-Plastic contributors
-
-This software is provided 'as-is', without any express or implied warranty.
-In no event will the authors be held liable for any damages arising from the use of this software.
-Permission is granted to anyone to use this software for any purpose,
-including commercial applications, and to alter it and redistribute it freely,
-subject to the following restrictions:
-
-1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
-2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
-3. This notice may not be removed or altered from any source distribution.
-*/
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
 
 #include "btElasticPlasticConstraintSolver.h"
 
@@ -22,7 +10,7 @@ subject to the following restrictions:
 
 void btElasticPlasticConstraintSolver::setNumThreads(int threads)
 {
-	m_crew.reset(threads > 1 ? new btElasticPlasticCrew(threads) : nullptr);
+	m_crew.reset(threads > 1 ? new btElasticPlastic::WorkerPool(threads) : nullptr);
 	m_assistants.resize(threads > 1 ? threads - 1 : 0);
 	for (auto& assistant : m_assistants)
 		assistant.reset(new btElasticPlasticConstraintSolver);
@@ -39,7 +27,7 @@ void btElasticPlasticConstraintSolver::prepareSolve(int numBodies, int numManifo
 namespace
 {
 /// Bullet looks itself, but not where the world does not split islands.
-bool isAsleep(const btElasticPlasticGroup& island)
+bool isAsleep(const btElasticPlastic::SolverGroup& island)
 {
 	for (int i = 0; i < island.m_numBodies; ++i)
 		if (island.m_bodies[i]->isActive())
@@ -49,9 +37,9 @@ bool isAsleep(const btElasticPlasticGroup& island)
 
 /// Is it any thread's business? Not if its factor is kept from step to step, and not with a kinematic body, in which Bullet
 /// notes which of a solver's bodies it is.
-bool isLight(const btElasticPlasticGroup& island)
+bool isLight(const btElasticPlastic::SolverGroup& island)
 {
-	if (btElasticPlasticLinearSolver::mayKeepFactor(island.m_numBodies))
+	if (btElasticPlastic::LinearSolver::mayKeepFactor(island.m_numBodies))
 		return false;
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_constraints[i]->getRigidBodyA().isKinematicObject() ||
@@ -78,7 +66,7 @@ void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
 }
 }  // namespace
 
-void btElasticPlasticConstraintSolver::solveIsland(const btElasticPlasticGroup& island, const btContactSolverInfo& info,
+void btElasticPlasticConstraintSolver::solveIsland(const btElasticPlastic::SolverGroup& island, const btContactSolverInfo& info,
 												   btIDebugDraw* debugDrawer, btDispatcher* dispatcher)
 {
 	m_islandJoints = island.m_joints;
@@ -90,7 +78,7 @@ void btElasticPlasticConstraintSolver::solveIsland(const btElasticPlasticGroup& 
 }
 
 /// Islands that the crew shares.
-struct btElasticPlasticConstraintSolver::LightIslands : btElasticPlasticCrew::Task
+struct btElasticPlasticConstraintSolver::LightIslands : btElasticPlastic::WorkerPool::Task
 {
 	btElasticPlasticConstraintSolver& m_solver;
 	const btContactSolverInfo& m_info;
@@ -137,7 +125,7 @@ btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies
 		m_joints[i] = btElasticPlasticJoint::from(constraints[i]);
 		hasJoints |= m_joints[i] != nullptr;
 	}
-	btElasticPlasticGroup group = {bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, nullptr};
+	btElasticPlastic::SolverGroup group = {bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, nullptr};
 	if (hasJoints)
 		group.m_joints = &m_joints[0];
 	if (!hasJoints || m_form == BT_EP_ITERATIVE)
@@ -149,7 +137,7 @@ btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies
 	LightIslands light(*this, info, dispatcher);
 	for (int i = 0; i < m_islands.getNumIslands(); ++i)
 	{
-		const btElasticPlasticGroup island = m_islands.getIsland(i);
+		const btElasticPlastic::SolverGroup island = m_islands.getIsland(i);
 		if (isAsleep(island))
 			continue;
 		if (m_crew && isLight(island))
@@ -228,7 +216,7 @@ void btElasticPlasticConstraintSolver::makeSoft(btSolverConstraint& row, btElast
 				   row.m_contactNormal2.dot(B.m_linearVelocity + B.m_externalForceImpulse) +
 				   row.m_relpos2CrossNormal.dot(B.m_angularVelocity + B.m_externalTorqueImpulse);
 	}
-	const btElasticPlasticRow soft = joint.implicitRow(r, a, info.m_erp);
+	const btElasticPlastic::SoftRow soft = joint.implicitRow(r, a, info.m_erp);
 	row.m_jacDiagABInv = 1 / (a + soft.m_compliance);
 	row.m_rhs = (soft.m_velocity - velocity) * row.m_jacDiagABInv;
 	row.m_cfm = soft.m_compliance * row.m_jacDiagABInv;

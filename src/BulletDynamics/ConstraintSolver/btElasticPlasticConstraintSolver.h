@@ -1,17 +1,5 @@
-/*
-Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
-Copyright (c) 2026 Bullet Elastic-Plastic contributors
-
-This software is provided 'as-is', without any express or implied warranty.
-In no event will the authors be held liable for any damages arising from the use of this software.
-Permission is granted to anyone to use this software for any purpose,
-including commercial applications, and to alter it and redistribute it freely,
-subject to the following restrictions:
-
-1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
-2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
-3. This notice may not be removed or altered from any source distribution.
-*/
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
 
 #ifndef BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H
 #define BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H
@@ -20,10 +8,10 @@ subject to the following restrictions:
 #include <vector>
 
 #include "BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h"
-#include "btElasticPlasticCrew.h"
-#include "btElasticPlasticIslands.h"
+#include "ElasticPlastic/solver/WorkerPool.h"
+#include "ElasticPlastic/solver/Islands.h"
 #include "btElasticPlasticJoint.h"
-#include "btElasticPlasticSystem.h"
+#include "ElasticPlastic/solver/System.h"
 
 /// How islands with elastic-plastic joints are solved.
 enum btElasticPlasticForm
@@ -35,7 +23,7 @@ enum btElasticPlasticForm
 /// Bullet's solver with elastic-plastic joints solved right: hand it to the world instead of
 /// btSequentialImpulseConstraintSolver. Islands without elastic-plastic joints are solved as ever, bit for bit.
 ///
-/// Direct: all rows of an island in one semismooth Newton, see btElasticPlasticSystem.h. A stiff structure holds at any step.
+/// Direct: all rows of an island in one semismooth Newton, see btElasticPlastic::System.h. A stiff structure holds at any step.
 /// Where it does not converge the iterative form takes over, and the statistics count it.
 ///
 /// Iterative: Bullet multiplies the impulse by a row's compliance but leaves it out of the diagonal; the iteration then
@@ -58,7 +46,7 @@ public:
 	int getNumThreads() const { return m_crew ? m_crew->getNumWorkers() : 1; }
 
 	/// The direct form's settings.
-	btElasticPlasticSystem& getSystem() { return m_system; }
+	btElasticPlastic::System& getSystem() { return m_system; }
 
 	/// Of the direct form, summed since resetStatistics().
 	const btElasticPlasticStatistics& getStatistics() const { return m_system.getStatistics(); }
@@ -82,7 +70,7 @@ private:
 	// ---- islands
 	struct LightIslands;
 
-	void solveIsland(const btElasticPlasticGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+	void solveIsland(const btElasticPlastic::SolverGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
 					 btDispatcher* dispatcher);
 
 	// ---- the iterative form
@@ -109,14 +97,14 @@ private:
 	void addJoint(btElasticPlasticJoint & joint, const btContactSolverInfo& info);
 	void addUnit(const btElasticPlasticJoint& joint, const int solverBodies[2]);
 	void addSingleRows(const btElasticPlasticJoint& joint, const int solverBodies[2]);
-	btElasticPlasticSystem::Row& addRow(const btSolverConstraint& row);
-	btElasticPlasticSystem::Row& addContactRow(const btSolverConstraint& row);
+	btElasticPlastic::System::Row& addRow(const btSolverConstraint& row);
+	btElasticPlastic::System::Row& addContactRow(const btSolverConstraint& row);
 	void addContacts(bool hasTwoDirections);
 	void takeResult();
 	void giveJointsTheirImpulses();
 
 	btElasticPlasticForm m_form = BT_EP_DIRECT;
-	btElasticPlasticIslands m_islands;
+	btElasticPlastic::Islands m_islands;
 	btAlignedObjectArray<btElasticPlasticJoint*> m_joints;  ///< per constraint, null if it is not elastic-plastic
 	btElasticPlasticJoint** m_islandJoints = nullptr;       ///< the same of the island at work, null if it has none
 	btAlignedObjectArray<JointRows> m_jointRows;
@@ -126,9 +114,9 @@ private:
 	int m_firstRow = 0;                                          ///< in the system, of those in Bullet's pools
 	btAlignedObjectArray<int> m_index;                           ///< of a solver body in the system, -1: does not move
 	btAlignedObjectArray<btScalar> m_lastFriction;               ///< the last step's impulses, by Bullet's pool
-	btElasticPlasticSystem m_system;
+	btElasticPlastic::System m_system;
 	std::vector<int> m_lightIslands;
-	std::unique_ptr<btElasticPlasticCrew> m_crew;                                 ///< null: one thread
+	std::unique_ptr<btElasticPlastic::WorkerPool> m_crew;                                 ///< null: one thread
 	std::vector<std::unique_ptr<btElasticPlasticConstraintSolver>> m_assistants;  ///< of the crew's other workers
 };
 

@@ -1,24 +1,12 @@
-/*
-Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
-Copyright (c) 2026 Bullet Elastic-Plastic contributors
-
-This software is provided 'as-is', without any express or implied warranty.
-In no event will the authors be held liable for any damages arising from the use of this software.
-Permission is granted to anyone to use this software for any purpose,
-including commercial applications, and to alter it and redistribute it freely,
-subject to the following restrictions:
-
-1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
-2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
-3. This notice may not be removed or altered from any source distribution.
-*/
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
 
 #include "btElasticPlasticJoint.h"
 
 #include "BulletDynamics/ConstraintSolver/btSolverBody.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 #include "btElasticPlasticAction.h"
-#include "btElasticPlasticParting.h"
+#include "ElasticPlastic/joint/Separation.h"
 
 #include <stdio.h>
 
@@ -79,7 +67,7 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 /// Degrees of freedom that were free for a while and hold again do so where they stand.
 void btElasticPlasticJoint::takePoseAsReference(unsigned dofs)
 {
-	btElasticPlasticKinematics now;
+	btElasticPlastic::Kinematics now;
 	measure(now);
 	btScalar away[BT_EP_DOF_COUNT] = {};
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -99,7 +87,7 @@ void btElasticPlasticJoint::takeRoundingAsReference()
 					  &B = m_constraint.getRigidBodyB().getCenterOfMassTransform();
 	const btScalar size = A.getOrigin().length() + m_frameInA.getOrigin().length() + B.getOrigin().length() +
 						  m_frameInB.getOrigin().length();
-	btElasticPlasticKinematics now;
+	btElasticPlastic::Kinematics now;
 	measure(now);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		// Eight roundings lie between the world's coordinates and a strain.
@@ -149,9 +137,9 @@ btVector3 btElasticPlasticJoint::getPosition() const { return (getFrameA().getOr
 
 void btElasticPlasticJoint::setReferenceToCurrentPose()
 {
-	btElasticPlasticKinematics now;
+	btElasticPlastic::Kinematics now;
 	measure(now);
-	const btElasticPlasticTurn turn = this->turn();
+	const btElasticPlastic::RelativeRotation turn = this->turn();
 	for (int i = 0; i < 3; ++i)
 		m_state.m_initial[i] += now.m_strain[i];
 	m_state.m_plasticRotation = turn.m_relative;
@@ -220,7 +208,7 @@ double btElasticPlasticJoint::getElasticEnergy() const
 void btElasticPlasticJoint::measureOverlap()
 {
 	m_overlap =
-		btElasticPlasticHoldOverlap(*m_partingWorld, m_constraint.getRigidBodyA(), m_constraint.getRigidBodyB());
+		btElasticPlastic::suspendRecovery(*m_partingWorld, m_constraint.getRigidBodyA(), m_constraint.getRigidBodyB());
 }
 
 // ---- recognising each other without run-time type information

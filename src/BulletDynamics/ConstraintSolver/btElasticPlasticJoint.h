@@ -1,25 +1,13 @@
-/*
-Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
-Copyright (c) 2026 Bullet Elastic-Plastic contributors
-
-This software is provided 'as-is', without any express or implied warranty.
-In no event will the authors be held liable for any damages arising from the use of this software.
-Permission is granted to anyone to use this software for any purpose,
-including commercial applications, and to alter it and redistribute it freely,
-subject to the following restrictions:
-
-1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
-2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
-3. This notice may not be removed or altered from any source distribution.
-*/
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
 
 #ifndef BT_ELASTIC_PLASTIC_JOINT_H
 #define BT_ELASTIC_PLASTIC_JOINT_H
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "btElasticPlasticCapacity.h"
-#include "btElasticPlasticKinematics.h"
-#include "btElasticPlasticLaw.h"
+#include "ElasticPlastic/joint/Kinematics.h"
+#include "ElasticPlastic/joint/Law.h"
 #include "btElasticPlasticState.h"
 
 class btDynamicsWorld;
@@ -178,12 +166,12 @@ public:
 
 	/// The r-th row of the default scheme (or the joint's other one) for a solver that adds compliance to the diagonal.
 	/// \param diagonal  A = J M^-1 J^T of the row
-	btElasticPlasticRow implicitRow(int r, btScalar diagonal, btScalar erp);
+	btElasticPlastic::SoftRow implicitRow(int r, btScalar diagonal, btScalar erp);
 
 	/// Elastic-plastic rows in the step under way; they are the last of the constraint's rows.
 	int getNumRows() const { return m_step.m_rows; }
 	int getRowDof(int r) const { return m_step.m_row[r].m_dof; }
-	const btElasticPlasticKinematics& getKinematics() const { return m_step.m_kinematics; }
+	const btElasticPlastic::Kinematics& getKinematics() const { return m_step.m_kinematics; }
 
 	/// The impulse of the r-th row, from a solver of ours. From others commit() takes it from Bullet's joint feedback.
 	void setRowImpulse(int r, btScalar impulse) { m_step.m_row[r].m_impulse = impulse; }
@@ -286,7 +274,7 @@ private:
 		int m_committedRows = 0;  ///< until the next commit
 		btScalar m_dt = 0;
 		Request m_request = WHOLE_ROWS;
-		btElasticPlasticKinematics m_kinematics;
+		btElasticPlastic::Kinematics m_kinematics;
 		Row m_row[BT_EP_DOF_COUNT];
 	};
 
@@ -299,14 +287,14 @@ private:
 	void refuseWithoutBooks();
 	void separateBaseRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows);
 	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
-	inline btElasticPlasticRow makeRow(int dof, btScalar diagonal, btScalar erp) const;
-	inline btElasticPlasticRow startRow(Row & row, btScalar diagonal, btScalar erp);
-	void measure(btElasticPlasticKinematics & k) const;
-	btElasticPlasticTurn turn() const;
+	inline btElasticPlastic::SoftRow makeRow(int dof, btScalar diagonal, btScalar erp) const;
+	inline btElasticPlastic::SoftRow startRow(Row & row, btScalar diagonal, btScalar erp);
+	void measure(btElasticPlastic::Kinematics & k) const;
+	btElasticPlastic::RelativeRotation turn() const;
 	btScalar paperInverseMass(int dof) const;
 	void takeBackKinematicMotion(btScalar dt);
 	void readFeedback();
-	btElasticPlasticReturn returnMap(const Row& row, btScalar velocity1) const;
+	btElasticPlastic::ReturnMapping returnMap(const Row& row, btScalar velocity1) const;
 	void turnReference(const btScalar increment[6]);
 
 	// In the order of use: what every step touches stands together.

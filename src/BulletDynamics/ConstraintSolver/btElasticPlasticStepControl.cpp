@@ -1,25 +1,13 @@
-/*
-Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
-Copyright (c) 2026 Bullet Elastic-Plastic contributors
-
-This software is provided 'as-is', without any express or implied warranty.
-In no event will the authors be held liable for any damages arising from the use of this software.
-Permission is granted to anyone to use this software for any purpose,
-including commercial applications, and to alter it and redistribute it freely,
-subject to the following restrictions:
-
-1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
-2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
-3. This notice may not be removed or altered from any source distribution.
-*/
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
 
 #include "btElasticPlasticStepControl.h"
 
 #include <math.h>
 
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
-#include "btElasticPlasticFlights.h"
-#include "btElasticPlasticStepInput.h"
+#include "ElasticPlastic/stepping/Flights.h"
+#include "ElasticPlastic/stepping/StepInput.h"
 
 void btElasticPlasticStepControl::setError(double error)
 {
@@ -52,7 +40,7 @@ int btElasticPlasticStepControl::getResolvedLevel() const { return 2 + int(ceil(
 
 void btElasticPlasticStepControl::lookAhead(btDynamicsWorld& world)
 {
-	const btElasticPlasticApproach approach = btElasticPlasticLookAhead(world, m_joined, m_dt);
+	const btElasticPlastic::Approach approach = btElasticPlastic::lookAhead(world, m_joined, m_dt);
 	if (approach.m_isBlow)
 		refine(getResolvedLevel());
 	while (m_level < m_maxLevel && approach.m_rate * double(m_dt) > double(1 << m_level))
@@ -85,7 +73,7 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	info.m_erp2 *= share;
 	const btScalar length = m_dt * share;
 	if (m_length > 0 && m_length != length)
-		btElasticPlasticKeepFlights(world, (m_length - length) / 2);
+		btElasticPlastic::keepFreeFlight(world, (m_length - length) / 2);
 	return m_length = length;
 }
 
@@ -221,7 +209,7 @@ int btElasticPlasticStepControl::step(btDynamicsWorld& world, btElasticPlasticAc
 	begin(dt);
 	if (m_left == 0)
 		return 0;
-	btElasticPlasticStepInput input(world, dt);
+	btElasticPlastic::StepInput input(world, dt);
 	int substeps = 0;
 	for (btScalar length; (length = next(world)) > 0; ++substeps)
 	{

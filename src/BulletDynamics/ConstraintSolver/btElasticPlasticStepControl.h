@@ -1,24 +1,12 @@
-/*
-Bullet Elastic-Plastic: joints for Bullet Physics that bend before they break
-Copyright (c) 2026 Bullet Elastic-Plastic contributors
-
-This software is provided 'as-is', without any express or implied warranty.
-In no event will the authors be held liable for any damages arising from the use of this software.
-Permission is granted to anyone to use this software for any purpose,
-including commercial applications, and to alter it and redistribute it freely,
-subject to the following restrictions:
-
-1. The origin of this software must not be misrepresented; you must not claim that you wrote the original software. If you use this software in a product, an acknowledgment in the product documentation would be appreciated but is not required.
-2. Altered source versions must be plainly marked as such, and must not be misrepresented as being the original software.
-3. This notice may not be removed or altered from any source distribution.
-*/
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
 
 #ifndef BT_ELASTIC_PLASTIC_STEP_CONTROL_H
 #define BT_ELASTIC_PLASTIC_STEP_CONTROL_H
 
 #include "LinearMath/btAlignedObjectArray.h"
 #include "btElasticPlasticAction.h"
-#include "btElasticPlasticBodyMarks.h"
+#include "ElasticPlastic/stepping/BodyMarks.h"
 
 /// Chooses the substeps of a world by what they leave open: fine while something yields or is about to, coarse else.
 ///
@@ -121,7 +109,7 @@ private:
 	int m_left = 0;                          ///< of the step, in parts of it over 1 << MAX_LEVEL
 	int m_parts = 0;                         ///< that the substep under way takes of them
 	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's tag
-	btElasticPlasticBodyMarks m_joined;      ///< those that move and that elastic-plastic joints hold
+	btElasticPlastic::BodyMarks m_joined;      ///< those that move and that elastic-plastic joints hold
 };
 
 #endif  // BT_ELASTIC_PLASTIC_STEP_CONTROL_H

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "runs/Headless.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "runs/Figure11.h"
+#include "runs/Summary.h"
+#include "cli/OutputFiles.h"
+#include "picture/View.h"
+#ifdef EP_WITH_PICTURES
+#include "picture/Raster.h"
+#endif
+
+namespace ep
+{
+void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name,
+				 const Camera& camera)
+{
+#ifdef EP_WITH_PICTURES
+	const Drawing drawing = scene.draw();
+	const std::string file = (std::filesystem::path(headless.out) / (name + ".png")).string();
+	writePng(file, drawPicture({drawing.parts, camera, drawing.skins}, headless.width, headless.height));
+	std::printf("  picture %s\n", file.c_str());
+#else
+	(void)scene, (void)headless, (void)name, (void)camera;
+#endif
+}
+
+void tell(const DemolisherSummary& s)
+{
+	std::printf("  %5.1f s  x %6.1f m  %5.1f km/h  sag %.3f m  yielded %d  broken %d of %d  plastic %.1f kJ\n", s.time,
+				double(s.vehicle.x()), s.speed * 3.6, s.sag, s.yielded, s.broken, s.joints, s.plasticEnergy / 1000);
+	std::fflush(stdout);
+}
+
+DemolisherSummary runHeadless(const DemolisherSettings& settings, const HeadlessSettings& headless)
+{
+	makeDirectory(headless.out);
+#ifndef EP_WITH_PICTURES
+	std::printf("Built without libpng: no pictures\n");
+#endif
+	DemolisherScene scene(settings);
+	scene.setAutopilot(true);
+	const Demolisher& demolisher = scene.demolisher();
+	RunLog log(demolisher);
+	const auto take = [&](const std::string& name, bool chase)
+	{
+		const float aspect = float(headless.width) / float(headless.height);
+		takePicture(
+			scene, headless, name,
+			chase ? chaseCamera(demolisher.vehicle().pose()) : sideCamera(scene.centre(), scene.extent(), aspect));
+	};
+	take("1-start", true);
+	// Each scene when the vehicle is there, then the one at the side of the last.
+	const std::vector<Scene> way = settings.onTheWay();
+	size_t next = 0;
+	for (int i = 0; demolisher.time() + 1e-9 < headless.seconds && !demolisher.autopilot().hasArrived(); ++i)
+	{
+		if (i % int(1 / double(settings.step) + .5) == 0)
+			tell(demolisher.summary());
+		scene.step(Controls());
+		log.step();
+		if (next < way.size() && demolisher.vehicle().pose().getOrigin().x() > settings.placeOf(way[next]))
+		{
+			scene.lookAt(way[next]);
+			take(std::to_string(next + 2) + "-" + nameOf(scenes(), way[next]), false);
+			++next;
+		}
+	}
+	take(std::to_string(way.size() + 2) + "-end", true);
+
+	const DemolisherSummary summary = demolisher.summary();
+	tell(summary);
+	if (!summary.isFinite())
+		std::printf(
+			"  Something has flown apart: these joints do not bear this step. Choose others, or smaller steps.\n");
+	std::printf("  joints %s\n", writeFile(headless.out, "joints.csv", log.jointsCsv()).c_str());
+	std::printf("  summary %s\n", writeFile(headless.out, "summary.json", log.summary()).c_str());
+	return summary;
+}
+
+void runFigure11(const HeadlessSettings& headless)
+{
+	makeDirectory(headless.out);
+	DemolisherScene scene(Figure11::settings());
+	Demolisher& demolisher = scene.demolisher();
+	Figure11 figure(demolisher);
+	RunLog log(demolisher);
+	// The vehicle and the gate in front, the bridge behind them, the fence at the end.
+	Camera camera;
+	const btScalar gate = demolisher.settings().placeOf(Scene::Gate);
+	camera.eye = btVector3(gate - 42, 9, 21);
+	camera.target = btVector3(gate + 10, btScalar(1.5), -3);
+	camera.fieldOfView = .45f;
+	for (Figure11::State state : {Figure11::INITIAL, Figure11::CROSSED, Figure11::FALLEN})
+	{
+		if (!figure.reach(state, [&log] { log.step(); }))
+			throw std::runtime_error(std::string("the state of ") + Figure11::name(state) + " was not reached");
+		tell(demolisher.summary());
+		takePicture(scene, headless, Figure11::name(state), camera);
+		const std::string name = std::string(Figure11::name(state)) + ".json";
+		std::printf("  summary %s\n", writeFile(headless.out, name, log.summary()).c_str());
+	}
+}
+}  // namespace ep

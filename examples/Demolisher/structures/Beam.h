@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_BEAM_H
+#define EP_BEAM_H
+
+#include <string>
+#include <vector>
+
+#include "world/World.h"
+
+namespace ep
+{
+/// The paper's materials: concrete gives the mass, steel carries all load.
+struct Materials
+{
+	btScalar concreteDensity = 2000;         ///< [kg/m^3]
+	btScalar steelDensity = 7800;            ///< [kg/m^3]
+	btScalar yieldStress = btScalar(200e6);  ///< of the steel [Pa]
+	btScalar ductility = btScalar(.2);       ///< plastic strain at which steel tears
+
+	/// A share of steel spread evenly over the section, the rest concrete; 1 is steel alone.
+	btElasticPlasticMaterial mixed(btScalar steelShare) const;
+};
+
+/// First bending mode of a beam by itself, (beta L)^2 (Euler and Bernoulli).
+constexpr btScalar MODE_OF_CANTILEVER = btScalar(3.516), MODE_CLAMPED_AT_BOTH_ENDS = btScalar(22.37);
+
+/// What a beam is made of. SI units; x runs along the beam, y along its height, z along its width.
+struct BeamSettings
+{
+	int blocks = 10;
+	btScalar length = 1;
+	btScalar height = btScalar(.1), width = btScalar(.1);  ///< of the blocks
+	btElasticPlasticSection section;                       ///< that carries the load
+	btElasticPlasticMaterial material;
+	btScalar hingeLength = 0;               ///< over which plastic bending spreads, 0: from joint to joint
+	btScalar endHingeLength = 0;            ///< the same at a support, 0: as hingeLength
+	btScalar mode = MODE_OF_CANTILEVER;     ///< that is damped
+	btScalar dampingRatio = btScalar(.02);  ///< of that mode
+	btScalar friction = btScalar(.8);
+	bool isRound = false;  ///< for those who draw it
+};
+
+/// A straight row of equal blocks. Joints stand for the steel between the blocks' centres.
+class Beam
+{
+public:
+	/// \param start  pose of the beam's beginning
+	Beam(World& world, const std::string& name, const BeamSettings& settings, const btTransform& start);
+
+	/// Joins an end with something that does not deform.
+	btElasticPlasticJoint* joinStart(World& world, btRigidBody& support);
+	btElasticPlasticJoint* joinEnd(World& world, btRigidBody& support);
+
+	const BeamSettings& settings() const { return m_settings; }
+	const std::vector<btRigidBody*>& blocks() const { return m_blocks; }
+	btScalar blockLength() const { return m_settings.length / m_settings.blocks; }
+	btScalar blockMass() const;
+
+	/// At the node before each block and after the last one; null at ends that are not joined.
+	const std::vector<btElasticPlasticJoint*>& nodes() const { return m_nodes; }
+	std::vector<btElasticPlasticJoint*> joints() const;
+
+	/// Where the beam begins and ends now.
+	btVector3 startPoint() const;
+	btVector3 endPoint() const;
+
+	/// E I and G A of bending about z.
+	btScalar bendingStiffness() const;
+	btScalar shearStiffness() const;
+
+private:
+	btTransform along(btScalar x) const;
+	btScalar damping() const;
+	btElasticPlasticJoint* join(World& world, btRigidBody& a, btRigidBody& b, int node, bool atSupport);
+
+	std::string m_name;
+	BeamSettings m_settings;
+	btTransform m_start;
+	std::vector<btRigidBody*> m_blocks;
+	std::vector<btElasticPlasticJoint*> m_nodes;
+};
+}  // namespace ep
+
+#endif  // EP_BEAM_H

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "structures/JointBook.h"
+
+namespace ep
+{
+const char* JointRecord::state(const JointReading& reading) const
+{
+	if (!reading.isThere)
+		return "none";
+	if (reading.isBroken)
+		return "broken";
+	if (reading.hasYielded)
+		return "yielded";
+	return yieldTime >= 0 ? "overloaded" : "intact";
+}
+
+size_t JointBook::numberOf(const btElasticPlasticJoint& joint) const
+{
+	size_t number = 0;
+	while (number < m_records.size() && m_records[number].joint != &joint)
+		++number;
+	return number;
+}
+
+void JointBook::update(double time)
+{
+	// Ours remember; only Bullet's own have to be read.
+	const bool remembers = m_world.method().kind().isElasticPlastic();
+	for (JointRecord& record : m_records)
+	{
+		if (record.breakTime >= 0)
+			continue;
+		bool yielded = record.joint->hasYielded(), broken = record.joint->isBroken();
+		if (!remembers)
+		{
+			const JointReading reading = read(record);
+			yielded = reading.hasYielded || reading.utilisation > 1;
+			broken = reading.isBroken;
+		}
+		if (yielded && record.yieldTime < 0)
+			record.yieldTime = time;
+		if (broken)
+			record.breakTime = time;
+	}
+}
+}  // namespace ep

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "vehicle/RouteFile.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace ep
+{
+namespace
+{
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& what) { throw std::runtime_error(what); }
+
+void checkKeys(const Json& object, const std::vector<std::string>& known, const std::string& where)
+{
+	std::string all;
+	for (const std::string& key : known)
+		all += (all.empty() ? "" : ", ") + key;
+	if (!object.is_object())
+		refuse(where + " must be an object with the keys " + all);
+	for (const auto& item : object.items())
+		if (std::find(known.begin(), known.end(), item.key()) == known.end())
+			refuse(where + " has the unknown key '" + item.key() + "'; known are " + all);
+}
+
+btScalar number(const Json& leg, const char* key, double otherwise, double low, double high, const std::string& where)
+{
+	if (!leg.contains(key))
+		return btScalar(otherwise);
+	const Json& value = leg.at(key);
+	if (!value.is_number() || !(value.get<double>() >= low && value.get<double>() <= high))
+		refuse(where + ": " + key + " is " + value.dump() + "; it must be a number from " + Json(low).dump() + " to " +
+			   Json(high).dump());
+	return btScalar(value.get<double>());
+}
+
+Leg toLeg(const Json& json, const std::string& where)
+{
+	checkKeys(json, {"to_x_m", "speed_m_s", "stop", "wait_s"}, where);
+	Leg leg;
+	leg.drives = json.contains("to_x_m");
+	if (!leg.drives && !json.contains("wait_s"))
+		refuse(where + " needs to_x_m to drive, or wait_s to wait");
+	leg.to = number(json, "to_x_m", 0, -5000, 5000, where);
+	leg.speed = number(json, "speed_m_s", double(leg.speed), .5, 26, where);
+	leg.wait = number(json, "wait_s", 0, 0, 3600, where);
+	if (json.contains("stop"))
+	{
+		if (!json.at("stop").is_boolean())
+			refuse(where + ": stop is " + json.at("stop").dump() + "; it must be true or false");
+		leg.stops = json.at("stop").get<bool>();
+	}
+	return leg;
+}
+}  // namespace
+
+Route readRoute(const std::string& file)
+{
+	std::ifstream stream(file);
+	if (!stream)
+		refuse("cannot read the autopilot's file '" + file + "' (--autopilot)");
+	const std::string where = "autopilot's file '" + file + "'";
+	Json json;
+	try
+	{
+		json = Json::parse(stream);
+	}
+	// A syntax error, a number without bounds, or a directory.
+	catch (const std::exception& error)
+	{
+		refuse(where + " is no JSON: " + error.what());
+	}
+	checkKeys(json, {"legs"}, where);
+	if (!json.contains("legs") || !json.at("legs").is_array() || json.at("legs").empty())
+		refuse(where + " must have the key legs, a list of at least one");
+	Route route;
+	for (const Json& leg : json.at("legs"))
+		route.push_back(toLeg(leg, where + ", leg " + std::to_string(route.size() + 1)));
+	return route;
+}
+}  // namespace ep

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticFault.h"
+#include "view/DemolisherScene.h"
+
+namespace ep
+{
+namespace
+{
+const size_t MOST_USED = 10;  // joints in the table
+
+template <class... Values>
+std::string format(const char* pattern, Values... values)
+{
+	char text[160];
+	std::snprintf(text, sizeof text, pattern, values...);
+	return text;
+}
+
+/// A slider for a setting of Bullet's precision, shown in another unit.
+bool slider(Panel& panel, const char* label, btScalar& value, double unit, double low, double high, const char* pattern)
+{
+	double shown = double(value) / unit;
+	const bool changed = panel.slider(label, shown, low, high, pattern);
+	// Only what a person has moved: a round trip through the unit would change the rest.
+	if (shown != double(value) / unit)
+		value = btScalar(shown * unit);
+	return changed;
+}
+
+bool isAngular(int dof) { return dof >= BT_EP_TORSION; }
+}  // namespace
+
+void DemolisherScene::panel(size_t number, Panel& panel)
+{
+	if (number == 1)
+	{
+		jointTable(panel);
+		jointPlots(panel);
+		return;
+	}
+	dashboard(panel);
+	bool anew = false;
+	if (panel.section("How it is joined and solved", true))
+		anew = methodSettings(panel);
+	if (panel.section("What it is built of", true))
+		anew = buildSettings(panel) || anew;
+	if (panel.section("View", true))
+		view(panel);
+	if (anew)
+		restart();
+}
+
+void DemolisherScene::dashboard(Panel& panel)
+{
+	const DemolisherSummary s = m_demolisher->summary();
+	panel.text(format("%.0f km/h   %.1f s   %.0f times real time", std::fabs(s.speed) * 3.6, s.time, s.realTimeFactor));
+	panel.text(format("Of %d joints %d yielded, %d broken", s.joints, s.yielded, s.broken));
+	if (m_demolisher->bridge())
+		panel.text(format("The bridge sags by %.3f m", s.sag));
+	if (!s.isFinite())
+		panel.text("Something has flown apart: these joints\ndo not bear this step.\nChoose others, or smaller steps.");
+	panel.check("autopilot", m_autopilot);
+	panel.shares({{"kinetic", {.05f, .25f, .55f}, s.kineticEnergy / 1000},
+				  {"elastic", {.05f, .45f, .10f}, s.elasticEnergy / 1000},
+				  {"plastic", {.75f, .30f, .01f}, s.plasticEnergy / 1000},
+				  {"numerical", {.35f, .35f, .35f}, s.numericalEnergy / 1000}},
+				 "kJ");
+}
+
+bool DemolisherScene::methodSettings(Panel& panel)
+{
+	DemolisherSettings& s = m_settings;
+	JointKind kind = s.method.kind();
+	bool anew = choice(panel, "joints", kind, jointKinds());
+	s.method.joints = kind.joints;
+	s.method.jointClass = kind.jointClass;
+	anew = choice(panel, "solver", s.method.solver, solvers()) || anew;
+	anew = slider(panel, "step [ms]", s.step, 1e-3, 1, 50, "%.2f") || anew;
+	anew = panel.slider("substeps", s.substeps, 1, 50) || anew;
+	return panel.slider("iterations", s.method.iterations, 1, 1000) || anew;
+}
+
+bool DemolisherScene::buildSettings(Panel& panel)
+{
+	DemolisherSettings& s = m_settings;
+	bool anew = slider(panel, "bridge steel [%]", s.bridge.steelShare, .01, .5, 10, "%.2f");
+	anew = slider(panel, "fence steel [%]", s.fence.steelShare, .01, .1, 10, "%.2f") || anew;
+	anew = slider(panel, "boom [mm]", s.gate.thickness, 1e-3, 30, 150, "%.0f") || anew;
+	anew = slider(panel, "gate box [m]", s.gate.box, 1, .5, 3, "%.2f") || anew;
+	anew = slider(panel, "rod radius [mm]", s.rod.radius, 1e-3, 20, 150, "%.0f") || anew;
+	anew = slider(panel, "ductility [%]", s.materials.ductility, .01, .1, 100, "%.1f") || anew;
+	anew = slider(panel, "yield stress [MPa]", s.materials.yieldStress, 1e6, 50, 1000, "%.0f") || anew;
+	anew = slider(panel, "concrete [kg/m3]", s.materials.concreteDensity, 1, 500, 5000, "%.0f") || anew;
+	anew = slider(panel, "vehicle [t]", s.vehicle.mass, 1000, 5, 200, "%.1f") || anew;
+	anew = panel.check("gate with two supports", s.gate.twoSupports) || anew;
+	if (!panel.button("Reset all"))
+		return anew;
+	s = m_asGiven;
+	return true;
+}
+
+void DemolisherScene::jointTable(Panel& panel)
+{
+	const std::vector<JointRecord>& records = m_demolisher->book().records();
+	std::vector<JointReading> readings;
+	std::vector<size_t> order;
+	for (const JointRecord& record : records)
+	{
+		order.push_back(readings.size());
+		readings.push_back(m_demolisher->book().read(record));
+	}
+	// By damage where there is any, then by load.
+	std::stable_sort(order.begin(), order.end(),
+					 [&readings](size_t a, size_t b) {
+						 return readings[a].damage + .1 * readings[a].utilisation >
+								readings[b].damage + .1 * readings[b].utilisation;
+					 });
+	order.resize(std::min(order.size(), MOST_USED));
+	std::vector<Panel::Row> rows;
+	int selected = -1;
+	for (size_t i : order)
+	{
+		const JointReading& r = readings[i];
+		if (i == m_history.joint())
+			selected = int(rows.size());
+		rows.push_back(
+			{r.isBroken ? TORN : jointColour(r.utilisation, 0),
+			 {records[i].joint->getName(), format("%.0f %%", 100 * r.utilisation),
+			  btElasticPlasticDofName(r.limitingDof), format("%.0f %%", 100 * r.damage), records[i].state(r)}});
+	}
+	const int clicked = panel.table("joints", {"joint", "load", "limited by", "worn", "state"}, rows, selected);
+	if (clicked >= 0)
+		m_history.follow(order[size_t(clicked)], readings[order[size_t(clicked)]].limitingDof);
+}
+
+void DemolisherScene::jointPlots(Panel& panel)
+{
+	const JointRecord& record = m_demolisher->book().records()[m_history.joint()];
+	const JointReading reading = m_demolisher->book().read(record);
+	panel.text(record.scene + ", " + record.joint->getName() + ": " + record.state(reading));
+	std::vector<std::string> names;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		names.push_back(btElasticPlasticDofName(i));
+	size_t dof = size_t(m_history.dof());
+	if (panel.choice("direction", dof, names))
+		m_history.follow(m_history.joint(), int(dof));
+	const bool angular = isAngular(m_history.dof());
+	panel.plot(angular ? "moment" : "force", m_history.force(), angular ? "kN m" : "kN");
+	panel.plot("deformation", m_history.deformation(), angular ? "mrad" : "mm");
+	panel.plot("energy", m_history.energy(), "kJ");
+}
+
+void DemolisherScene::view(Panel& panel)
+{
+	panel.check("bent members smooth", m_style.skin);
+	panel.check("joints marked", m_style.joints);
+	for (size_t i = 0; i < scenes().size(); ++i)
+	{
+		if (i > 0)
+			panel.beside();
+		if (panel.button(scenes()[i].name))
+			jump(int(i));
+	}
+}
+}  // namespace ep

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_DRAWING_H
+#define EP_DRAWING_H
+
+#include <string>
+#include <vector>
+
+#include "LinearMath/btTransform.h"
+
+namespace ep
+{
+/// Linear light, 0 to 1.
+struct Colour
+{
+	float r, g, b;
+};
+
+/// Of a joint: green over yellow to red with utilisation, darker with damage.
+Colour jointColour(double utilisation, double damage);
+
+/// A thing to draw: a convex profile in the x-y plane of its pose, drawn out along z. SI units.
+struct Part
+{
+	btTransform pose;
+	std::vector<btVector3> profile;  ///< corners, counter-clockwise seen from +z; their z is not used
+	btScalar width;                  ///< along z, half of it to each side
+	Colour colour;
+	float gloss = 0;     ///< 0 is dull, 1 is polished
+	bool round = false;  ///< the profile stands for a curve: its sides are shaded as one
+};
+
+Part boxPart(const btTransform& pose, const btVector3& size, const Colour& colour, float gloss = 0);
+
+/// The cylinder's axis is z.
+Part cylinderPart(const btTransform& pose, btScalar radius, btScalar width, const Colour& colour, float gloss = 0);
+Part prismPart(const btTransform& pose, const std::vector<btVector3>& profile, btScalar width, const Colour& colour,
+			   float gloss = 0);
+
+/// A bent thing to draw: an outline in the y-z planes of stations along it, drawn through all of them.
+struct Skin
+{
+	std::vector<btTransform> stations;  ///< x along the thing
+	std::vector<btVector3>
+		outline;  ///< corners of a convex shape, counter-clockwise seen against x; their x is not used
+	Colour colour;
+	float gloss = 0;
+	bool round = false;
+};
+
+/// y along the height; the middle may be off the stations' origin.
+std::vector<btVector3> boxOutline(btScalar height, btScalar width, btScalar middle = 0);
+std::vector<btVector3> circleOutline(btScalar radius);
+
+/// From a point to a point, upright.
+struct Camera
+{
+	btVector3 eye = btVector3(0, 10, 40), target = btVector3(0, 0, 0);
+	float fieldOfView = 0.75f;  ///< vertical [rad]
+};
+
+struct View
+{
+	std::vector<Part> parts;
+	Camera camera;
+	std::vector<Skin> skins = {};
+};
+
+/// Quantities over another, stacked from below.
+struct Chart
+{
+	struct Band
+	{
+		Colour colour;
+		std::vector<float> values;  ///< one for each x
+	};
+
+	std::string title, xUnit;
+	std::vector<float> x;
+	std::vector<Band> bands;
+};
+
+/// All there is to see at a moment. The ground is the plane y = 0.
+struct Drawing
+{
+	struct Key
+	{
+		Colour colour;
+		std::string text;
+	};
+
+	std::vector<Part> parts;
+	std::vector<Skin> skins;
+	btTransform subject = btTransform::getIdentity();  ///< what a camera follows, x forward
+	std::vector<View> views;        ///< with cameras of their own: the first one large, others beside it
+	std::vector<std::string> text;  ///< lines for the reader
+	std::vector<Key> legend;        ///< what colours mean
+	Chart chart;
+};
+}  // namespace ep
+
+#endif  // EP_DRAWING_H

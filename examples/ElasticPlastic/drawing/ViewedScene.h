@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_VIEWED_SCENE_H
+#define EP_VIEWED_SCENE_H
+
+#include "drawing/Controls.h"
+#include "drawing/Drawing.h"
+#include "drawing/Panel.h"
+
+namespace ep
+{
+/// What the viewer shows. It knows nothing of windows or OpenGL, the viewer nothing of physics.
+class ViewedScene
+{
+public:
+	virtual ~ViewedScene() = default;
+
+	virtual std::string title() const = 0;
+	virtual btScalar stepTime() const = 0;  ///< [s]
+	virtual void step(const Controls& controls) = 0;
+	virtual void restart() = 0;
+	virtual Drawing draw() const = 0;
+
+	/// Where a camera that stands still looks from the side along -z, and how much it should see along x [m].
+	virtual btVector3 centre() const = 0;
+	virtual btScalar extent() const = 0;
+
+	/// Whether controls do something.
+	virtual bool isDriven() const { return false; }
+	/// Titles of what stands beside the picture: at most two, on the left and on the right.
+	virtual std::vector<std::string> panels() const { return {}; }
+	virtual void panel(size_t, Panel&) {}
+	/// F1 to F4, from 0 on.
+	virtual void jump(int) {}
+	/// A key that the viewer has no use for.
+	virtual void key(char) {}
+	/// Help on such keys, a line each.
+	virtual std::vector<std::string> keyHelp() const { return {}; }
+};
+}  // namespace ep
+
+#endif  // EP_VIEWED_SCENE_H

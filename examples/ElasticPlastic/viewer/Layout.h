@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_VIEWER_LAYOUT_H
+#define EP_VIEWER_LAYOUT_H
+
+#include <cstddef>
+#include <vector>
+
+namespace ep
+{
+/// Pixels from the window's bottom left corner.
+struct Tile
+{
+	int x, y, width, height;
+
+	float aspect() const { return float(width) / float(height); }
+};
+
+/// Where in a window things go: the first view large, the others beside it one above the other, below them the chart.
+struct ViewerLayout
+{
+	ViewerLayout(size_t numViews, bool hasChart, int width, int height);
+
+	std::vector<Tile> views;
+	Tile chart;  ///< over the view if there is but one
+};
+}  // namespace ep
+
+#endif  // EP_VIEWER_LAYOUT_H

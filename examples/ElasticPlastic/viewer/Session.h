@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_VIEWER_SESSION_H
+#define EP_VIEWER_SESSION_H
+
+#include <chrono>
+#include <memory>
+
+#include "viewer/Viewer.h"
+#include "viewer/Camera.h"
+#include "viewer/Gui.h"
+#include "viewer/Keys.h"
+#include "viewer/Recorder.h"
+#include "viewer/Renderer.h"
+
+namespace ep
+{
+/// What goes on in the window: time, camera, keys, pictures.
+class Viewer
+{
+public:
+	/// Needs a current OpenGL context.
+	Viewer(ViewedScene& scene, const ViewerOptions& options);
+
+	bool isRunning() const { return m_running; }
+
+	/// The window goes, and OpenGL with it.
+	void close();
+
+	/// Simulates the time that has passed, and draws.
+	void frame();
+
+	void key(int key, bool down);
+	void mouseButton(int button, int state, int x, int y);
+	void mouseMove(int x, int y);
+
+private:
+	using Clock = std::chrono::steady_clock;
+
+	double passTime();
+	void simulate(double seconds);
+	void draw(double seconds);
+	void drawPanels(int width, int height);
+	void drawTime(Panel& panel);
+	void keepPicture(double seconds);
+	void addToFilm();
+	void startFilm(const std::string& file);
+	void endFilm();
+	void command(ViewerKeys::Command command);
+	void save(const std::string& file);
+	std::vector<std::string> help() const;
+
+	ViewedScene& m_scene;
+	ViewerOptions m_options;
+	std::unique_ptr<Renderer> m_renderer;
+	std::unique_ptr<Gui> m_gui;
+	std::unique_ptr<Recorder> m_recorder;
+	ViewerCamera m_camera;
+	ViewerKeys m_keys;
+	Clock::time_point m_last;
+	double m_frameRate = 0;  ///< smoothed [1/s]
+	double m_stepRate = 0;   ///< of the scene, the same
+	double m_filmTime = 0;   ///< what has passed since a film began [s]
+	double m_tempo = 1;      ///< simulated over real time
+	double m_owed = 0;       ///< real time that the scene has not simulated yet [s]
+	bool m_running = true, m_paused = false, m_help = false, m_dragging = false;
+	bool m_panel;
+	int m_width = 0, m_height = 0;  ///< of the window when panels were placed
+	int m_mouseX = 0, m_mouseY = 0, m_frames = 0, m_screenshots = 0, m_films = 0;
+};
+}  // namespace ep
+
+#endif  // EP_VIEWER_SESSION_H

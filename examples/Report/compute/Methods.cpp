@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "compute/Methods.h"
+
+namespace ep
+{
+const char* nameOf(Solver solver)
+{
+	switch (solver)
+	{
+		case Solver::Stock:
+			return "stock";
+		case Solver::Nncg:
+			return "nncg";
+		case Solver::Mlcp:
+			return "mlcp";
+		case Solver::Iterative:
+			return "iterative";
+		case Solver::Direct:
+			return "direct";
+	}
+	return "?";
+}
+
+const char* nameOf(Joints joints)
+{
+	switch (joints)
+	{
+		case Joints::ElasticPlastic:
+			return "default";
+		case Joints::Paper:
+			return "paper";
+		case Joints::Fixed:
+			return "bullet-fixed";
+		case Joints::Springs:
+			return "bullet-spring2";
+		case Joints::None:
+		case Joints::Breaking:
+		case Joints::HingeMotor:
+		case Joints::PlasticHinge:
+			break;  // not compared
+	}
+	return "?";
+}
+
+const char* nameOf(JointClass jointClass) { return jointClass == JointClass::Spring ? "spring" : "spring2"; }
+
+namespace
+{
+bool iterates(Solver solver) { return solver != Solver::Mlcp && solver != Solver::Direct; }
+
+void addParts(std::vector<Setting>& settings)
+{
+	Setting whole = {Solver::Direct, "everything"};
+	whole.method.without = parts::Nothing;
+	settings.push_back(whole);
+	const struct
+	{
+		unsigned part;
+		const char* scheme;
+	} all[] = {{parts::Elasticity, "without elasticity"},
+			   {parts::Shear, "without shear rows"},
+			   {parts::Torsion, "without torsion rows"},
+			   {parts::ContactCoupling, "without contact coupling"},
+			   {parts::ContinuousCollision, "without continuous collision"}};
+	for (const auto& p : all)
+	{
+		Setting setting = whole;
+		setting.method.without = p.part;
+		setting.scheme = p.scheme;
+		settings.push_back(setting);
+	}
+	Setting iterative = whole;
+	iterative.method.solver = Solver::Iterative;
+	iterative.scheme = "without direct solve";
+	settings.push_back(iterative);
+}
+}  // namespace
+
+std::vector<int> iterationsToCompare(int stepsPerSecond, bool quick)
+{
+	if (quick)
+		return {10};
+	// More would take hours and teach nothing that fewer steps do not.
+	return stepsPerSecond <= 240 ? std::vector<int>{10, 50, 250} : std::vector<int>{10, 50};
+}
+
+std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick)
+{
+	const int stepsPerSecond = rate * substeps;
+	const std::vector<int> iterations = iterationsToCompare(stepsPerSecond, quick);
+	const std::vector<JointClass> classes = quick ? std::vector<JointClass>{JointClass::Spring2}
+												  : std::vector<JointClass>{JointClass::Spring2, JointClass::Spring};
+	std::vector<Setting> settings;
+	const bool hasMlcp = stepsPerSecond <= (quick ? 240 : 480);
+	const auto add = [&](Joints joints, Solver solver, JointClass jointClass)
+	{
+		if (solver == Solver::Mlcp && !hasMlcp)
+			return;
+		for (const int n : iterations)
+		{
+			settings.push_back({Method(solver, {joints, jointClass}, n), nameOf(joints)});
+			if (!iterates(solver))
+				break;
+		}
+	};
+	for (const JointClass jointClass : classes)
+	{
+		for (const Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock, Solver::Nncg, Solver::Mlcp})
+			add(Joints::ElasticPlastic, solver, jointClass);
+		// The paper's scheme is for Bullet's own solver.
+		add(Joints::Paper, Solver::Stock, jointClass);
+	}
+	for (const Joints joints : {Joints::Fixed, Joints::Springs})
+		for (const Solver solver : {Solver::Stock, Solver::Mlcp})
+			add(joints, solver, JointClass::Spring2);
+	if (rate == 60 && substeps == 1)
+		for (const double budget : {0.1, 0.01, 0.001})
+			settings.push_back({Solver::Direct, "profile", budget});
+	if (rate == 60 && substeps == 8)
+		addParts(settings);
+	return settings;
+}
+}  // namespace ep

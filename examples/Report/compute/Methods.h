@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_REPORT_METHODS_H
+#define EP_REPORT_METHODS_H
+
+#include <string>
+#include <vector>
+
+#include "world/World.h"
+
+namespace ep
+{
+/// As reports call them.
+const char* nameOf(Solver solver);
+const char* nameOf(Joints joints);
+const char* nameOf(JointClass jointClass);
+
+/// What a problem is computed by.
+struct Setting
+{
+	Method method;
+	std::string scheme;       ///< as records call it
+	double budget = 0;        ///< above 0: substeps by btElasticPlasticStepControl for this error
+	std::string engine = {};  ///< another engine's solver, as records call it; empty: the method's own
+};
+
+/// Of iterative solvers.
+/// \param quick  one only
+std::vector<int> iterationsToCompare(int stepsPerSecond, bool quick);
+
+/// What the report compares in a case of the given step. At 1/60 s also what the profile makes of it for several budgets,
+/// and at 1/480 s, as 8 substeps, the direct solver without each of its parts.
+/// \param quick  one of each kind only
+std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick);
+}  // namespace ep
+
+#endif  // EP_REPORT_METHODS_H

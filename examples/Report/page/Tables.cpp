@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "page/Tables.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "judge/Families.h"
+#include "judge/Judgement.h"
+
+namespace ep
+{
+namespace
+{
+bool isGamesStep(const Record& r) { return std::lround(1 / r.dt) == 60; }
+
+Grid::Cell cellOf(double error) { return {std::isnan(error) ? "" : percent(error), error}; }
+
+/// The error of the one record that stands for a family at 1/60 s; not a number if there is none.
+double errorAtGamesStep(const Selection& records, const std::string& family)
+{
+	for (const Record* r : records)
+		if (r->family() == family && r->substeps == 1 && isGamesStep(*r) && r->iterations == 10 &&
+			(r->isOutside() || (r->jointClass == "spring2" && r->precision == "float")) &&
+			(r->budget == 0 || r->budget == 0.01))
+			return r->error;
+	return NAN;
+}
+
+/// In double.
+const Record* findScheme(const Selection& records, const std::string& scheme, double budget = 0)
+{
+	for (const Record* r : records)
+		if (r->scheme == scheme && r->precision == "double" && r->budget == budget)
+			return r;
+	return nullptr;
+}
+}  // namespace
+
+Grid overviewOf(const ByProblem& problems)
+{
+	Grid grid;
+	grid.title = "Relative error at 1/60 s";
+	grid.what =
+		"In float; iterative solvers with 10 iterations; only the profile, for 1 %, takes substeps. Green keeps to 1 "
+		"%, dark "
+		"green to 0.1 %, yellow to 10 %.";
+	const std::vector<Family> compared = familiesOf(problems);
+	for (const Family& family : compared)
+		grid.columns.push_back(family.name);
+	for (const std::string& name : problems.names)
+	{
+		grid.rows.push_back({name, {}});
+		for (const Family& family : compared)
+			grid.rows.back().cells.push_back(cellOf(errorAtGamesStep(problems.records.at(name), family.key)));
+	}
+	return grid;
+}
+
+namespace
+{
+/// Error, substeps, and the time over that of others, which may be null.
+std::string profileText(const Record& mine, const Record* best, const Record* luckiest)
+{
+	char text[96];
+	int n = snprintf(text, sizeof text, "%s, %.1f", percent(mine.error).c_str(), mine.steps * mine.dt / mine.simulated);
+	if (best)
+		n += snprintf(text + n, sizeof text - n, ", x %.1f", mine.cost() / best->cost());
+	if (luckiest && luckiest != best)
+		snprintf(text + n, sizeof text - n, " (%.1f)", mine.cost() / luckiest->cost());
+	return text;
+}
+}  // namespace
+
+Grid profileOf(const ByProblem& problems)
+{
+	Grid grid;
+	grid.title = "The profile: error, mean substeps, time over that of the best setting";
+	grid.what =
+		"For an error of 10, 1 and 0.1 %, direct solver, double, 1/60 s; the best is the quickest of all of Bullet's "
+		"and our "
+		"settings that keeps to the error in its number of substeps and all higher ones; in brackets over the quickest "
+		"that "
+		"happens to keep to it.";
+	const double budgets[] = {0.1, 0.01, 0.001};
+	for (const double budget : budgets)
+	{
+		grid.columns.push_back("for " + percent(budget));
+		grid.columns.push_back("the best within " + percent(budget));
+	}
+	for (const std::string& name : problems.names)
+	{
+		const Selection& records = problems.records.at(name);
+		Selection rivals;
+		for (const Record* r : records)
+			if (isGamesStep(*r) && !r->isOutside() && r->budget == 0 && r->scheme.rfind("with", 0) != 0 &&
+				r->scheme != "everything" && r->precision == "double")
+				rivals.push_back(r);
+		grid.rows.push_back({name, {}});
+		for (const double budget : budgets)
+		{
+			const Record* const mine = findScheme(records, "profile", budget);
+			const Record* const best = quickestReliable(rivals, budget);
+			const Record* const luckiest = quickestWithin(rivals, budget);
+			grid.rows.back().cells.push_back(
+				{mine ? profileText(*mine, best, luckiest) : "", mine ? mine->error : NAN});
+			char text[96] = "none";
+			if (best)
+				snprintf(text, sizeof text, "%s, %s, %d substeps", percent(best->error).c_str(), best->family().c_str(),
+						 best->substeps);
+			grid.rows.back().cells.push_back({text});
+		}
+	}
+	return grid;
+}
+
+Grid partsOf(const ByProblem& problems)
+{
+	const char* const schemes[] = {"without elasticity",       "without shear rows",           "without torsion rows",
+								   "without contact coupling", "without continuous collision", "without direct solve"};
+	Grid grid;
+	grid.title = "What a scene can leave out: error, and time over that with everything";
+	grid.what =
+		"1/60 s in 8 substeps, direct solver, double; without substeps is one of 1/60 s. Energies and events cost 0.3 "
+		"% of a "
+		"step's instructions (callgrind, 100 joints), so there is no switch for them.";
+	grid.columns = {"everything"};
+	grid.columns.insert(grid.columns.end(), std::begin(schemes), std::end(schemes));
+	grid.columns.push_back("without substeps");
+	for (const std::string& name : problems.names)
+	{
+		const Selection& records = problems.records.at(name);
+		const Record* const whole = findScheme(records, "everything");
+		if (!whole)
+			continue;
+		Selection others;
+		for (const char* scheme : schemes)
+			others.push_back(findScheme(records, scheme));
+		const Record* coarse = nullptr;
+		for (const Record* r : records)
+			if (isGamesStep(*r) && r->substeps == 1 && r->scheme == "default" && r->solver == "direct" &&
+				r->precision == "double" && r->jointClass == "spring2")
+				coarse = r;
+		others.push_back(coarse);
+		grid.rows.push_back({name, {cellOf(whole->error)}});
+		for (const Record* r : others)
+		{
+			char text[64] = "";
+			if (r)
+				snprintf(text, sizeof text, "%s, x %.2f", percent(r->error).c_str(), r->cost() / whole->cost());
+			grid.rows.back().cells.push_back({text, r ? r->error : NAN});
+		}
+	}
+	return grid;
+}
+}  // namespace ep

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_KINEMATICS_H
+#define BT_ELASTIC_PLASTIC_KINEMATICS_H
+
+#include "LinearMath/btTransform.h"
+
+namespace btElasticPlastic
+{
+/// How a joint's other frames stand in frame A.
+struct RelativeRotation
+{
+	btQuaternion m_relative;  ///< frame B: R, nearest to the plastic rotation
+	btQuaternion m_middle;    ///< the mid frame
+
+	/// \param basisA, basisB  of the joint's frames, world coordinates; the others as for evaluate() below
+	RelativeRotation(const btMatrix3x3& basisA, const btMatrix3x3& basisB, const btQuaternion& plasticRotation,
+						 const btQuaternion& plasticMiddle);
+};
+
+/// Where a joint stands: its axes and its elastic deformation.
+///
+/// Frames A and B are the joint's frames on its two bodies, R = R_A^T R_B their relative rotation. The axes are the columns of
+/// the mid frame R_A P exp(e / 2): P, the plastic middle, is half of the plastic rotation, summed increment by increment.
+/// Both bodies are treated alike, a turned scene gives the same answer, and the frame turns with the mean of the bodies'
+/// angular velocities at any bend (half of log(R) would not: it is singular at a full turn). The common point p is half way
+/// between the frames' origins.
+///  - Linear: e_i = (p_B - p_A) . a_i - plastic offset_i.
+///  - Angular: e = log(R R_p^T) in mid-frame components. The plastic rotation R_p turns the reference, so that the elastic
+///    rotation stays small however far the joint has bent; Euler angles would jump at 90 degrees.
+/// Jacobians, for J v = -de/dt: [a, r_A x a, -a, -r_B x a] and [0, a, 0, -a].
+struct Kinematics
+{
+	btVector3 m_axis[3];   ///< mid frame, world coordinates
+	btVector3 m_rA, m_rB;  ///< from the centres of mass to the common point, world coordinates [m]
+	btScalar m_strain[6];  ///< elastic deformation e [m], [rad], mid-frame components
+
+	/// \param bodyA, bodyB    centre-of-mass transforms
+	/// \param frameA, frameB  joint frames in the bodies' coordinates
+	/// \param plasticOffset   mid-frame components [m]
+	/// \param plasticRotation R_p in frame A, unit quaternion; its sign counts: it carries the turns beyond 180 degrees
+	/// \param plasticMiddle   P, unit quaternion
+	void evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
+				  const btTransform& frameB, const btVector3& plasticOffset, const btQuaternion& plasticRotation,
+				  const btQuaternion& plasticMiddle);
+};
+
+/// Rotation vector of a unit quaternion, |result| <= 2 pi, the sign of the quaternion is kept.
+btVector3 logarithm(const btQuaternion& q);
+
+/// Unit quaternion of a rotation vector.
+btQuaternion exponential(const btVector3& rotation);
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_KINEMATICS_H

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_LAW_H
+#define BT_ELASTIC_PLASTIC_LAW_H
+
+#include "LinearMath/btMinMax.h"
+#include "LinearMath/btScalar.h"
+
+namespace btElasticPlastic
+{
+// The law of one elastic-plastic degree of freedom: pure functions, no rigid bodies.
+//
+// Let e be the elastic deformation (total minus plastic), f = k e the force that pulls back, clamped to the yield value F.
+// A row has the Jacobian J with J v = -de/dt, and A = J M^-1 J^T. The solver finds the impulse lambda of the row
+//
+//     J v1 + C lambda = r,   lower <= lambda <= upper.                                                           (1)
+//
+// Over a step dt the row applies the mean force  lambda / dt = c + alpha f*,  with f* = k (e_n + dt de1/dt) the force at the
+// end of the step and c what is known at its start. Newmark's family in terms of forces (the force's rate g_n = df/dt stands
+// for k de0/dt, so that the step may change) gives
+//
+//     c = (1 - alpha) f_n - beta dt g_n.
+//
+// Insert f* = k e_n - k dt J v1:
+//
+//     lambda / dt = c + alpha k e_n - alpha k dt J v1    =>    C = 1 / (alpha k dt^2),   r = (k e_n + c / alpha) / (k dt).
+//
+// Yield is |f*| <= F, so lower, upper = dt (c -+ alpha F): the solver's clamping of lambda *is* the return mapping of an
+// elastic-perfectly plastic spring, implicit and for all rows together.
+//
+// With a = k dt^2 A, the square of frequency times step, and gamma = 1/2 + a / (a + 4),
+//
+//     alpha = (gamma + 1/2)^2 / 4,   beta = 1/2 + alpha - gamma:
+//
+// a spring that the step resolves (a << 1) gets the trapezoidal rule, second order and without dissipation; a stiff one
+// (a >> 1) becomes backward Euler; nothing switches in between. alpha >= beta and alpha + beta >= 1/2 hold for every a, so
+// the linear scheme is stable at any constant step (Hughes, The Finite Element Method, section 9.1, for beta_N = alpha, gamma_N = gamma).
+
+/// One row as the solver gets it, see (1). Impulses in N s or N m s, velocities in m/s or rad/s.
+struct SoftRow
+{
+	btScalar m_compliance = 0;  ///< C [m/(N s)], [rad/(N m s)], >= 0
+	btScalar m_velocity = 0;    ///< r [m/s], [rad/s]
+	btScalar m_lower = 0;       ///< bounds of lambda
+	btScalar m_upper = 0;
+};
+
+/// A degree of freedom at the start of a step.
+struct DofState
+{
+	btScalar m_stiffness;     ///< k > 0
+	btScalar m_yield;         ///< F >= 0
+	btScalar m_strain;        ///< e_n, measured
+	btScalar m_force;         ///< f_n, committed
+	btScalar m_forceRate;     ///< g_n = (f_n - f_(n-1)) / dt_n, committed
+	btScalar m_lastStep = 0;  ///< dt_n, 0: none
+};
+
+/// k e_n within the yield value.
+inline btScalar clampedForce(const DofState& s)
+{
+	return btMax(-s.m_yield, btMin(s.m_yield, s.m_stiffness * s.m_strain));
+}
+
+/// Row of the default scheme, for a solver that adds C to the diagonal (btElasticPlasticConstraintSolver).
+inline SoftRow implicitRow(const DofState& s, btScalar diagonal,
+													   btScalar dt)
+{
+	const btScalar a = s.m_stiffness * dt * dt * diagonal;
+	// a / (a + 4) written so that a = infinity is no NaN.
+	// A step that changes in time with the swing would feed it; so a changed one dissipates.
+	const btScalar change = s.m_lastStep > 0 ? btFabs(dt - s.m_lastStep) / (dt + s.m_lastStep) : btScalar(0);
+	const btScalar gamma = btScalar(0.5) + btMin(btScalar(1), (a > 1 ? 1 / (1 + 4 / a) : a / (a + 4)) + change);
+	const btScalar alpha = (gamma + btScalar(0.5)) * (gamma + btScalar(0.5)) / 4;
+	const btScalar beta = btScalar(0.5) + alpha - gamma;
+	const btScalar c = (1 - alpha) * s.m_force - beta * dt * s.m_forceRate;
+	SoftRow row;
+	row.m_compliance = 1 / (alpha * s.m_stiffness * dt * dt);
+	row.m_velocity = s.m_strain / dt + c / (alpha * s.m_stiffness * dt);
+	row.m_lower = dt * (c - alpha * s.m_yield);
+	row.m_upper = dt * (c + alpha * s.m_yield);
+	return row;
+}
+
+/// Row that applies a force for the step whatever the velocity: it asks for a velocity that nothing reaches, within bounds from
+/// 0 to the force's impulse. (Both bounds at the impulse would do the same in sequential impulses; btMLCPSolver solves for
+/// Bullet's split impulse with the same bounds and would push the bodies a second time.)
+inline SoftRow explicitRow(btScalar force, btScalar dt)
+{
+	const btScalar unreachable = btScalar(1e6);
+	SoftRow row;
+	row.m_velocity = force < 0 ? -unreachable : unreachable;
+	row.m_lower = btMin(btScalar(0), dt * force);
+	row.m_upper = btMax(btScalar(0), dt * force);
+	return row;
+}
+
+/// Row for Bullet's own solvers. They multiply the impulse by C / A but leave C out of the diagonal, so that their iteration
+/// grows for C >= A, that is for a <= 1: there the spring is resolved by the step, and its force is applied explicitly
+/// (symplectic Euler, stable below a = 4). Above, backward Euler with C / A = 1 / a; coupled rows need more distance from 1,
+/// so where 1 / a > 1/2 the row gets less compliance with the spring's own force: the same spring, damped more.
+inline SoftRow stockRow(const DofState& s, btScalar diagonal, btScalar dt)
+{
+	if (s.m_stiffness * dt * dt * diagonal < 1)
+		return explicitRow(clampedForce(s), dt);
+	SoftRow row;
+	row.m_compliance = btMin(1 / (s.m_stiffness * dt * dt), btScalar(0.5) * diagonal);
+	row.m_velocity = row.m_compliance * s.m_stiffness * dt * s.m_strain;
+	row.m_lower = -dt * s.m_yield;
+	row.m_upper = dt * s.m_yield;
+	return row;
+}
+
+/// Row of a rigid-plastic degree of freedom: no motion until the yield value is reached; what solver error has let it move
+/// comes back with Bullet's error reduction erp (0 to 1 per step).
+inline SoftRow rigidRow(btScalar yield, btScalar strain, btScalar erp, btScalar dt)
+{
+	SoftRow row;
+	row.m_velocity = erp * strain / dt;
+	row.m_lower = -dt * yield;
+	row.m_upper = dt * yield;
+	return row;
+}
+
+/// The paper's own row, kept as a baseline; two forms, as the paper has two classes.
+/// Motor (first class, Table IX): a velocity constraint capped at the spring's force, so it only ever brakes;
+/// the first step from rest is free.
+inline SoftRow paperMotorRow(const DofState& s, btScalar dt)
+{
+	SoftRow row;
+	row.m_upper = dt * btMin(s.m_yield, s.m_stiffness * btFabs(s.m_strain));
+	row.m_lower = -row.m_upper;
+	return row;
+}
+
+/// Spring (second class, Table X): equation 16 asks whether sqrt(k / m_min) dt > 0.25. If so, a velocity constraint capped at
+/// yield without positional error; if not, the explicit spring. inverseMass = 1 / m_min of the lighter body (or inertia).
+inline SoftRow paperSpringRow(const DofState& s, btScalar inverseMass,
+														  btScalar dt)
+{
+	if (s.m_stiffness * inverseMass * dt * dt <= btScalar(0.0625))
+		return explicitRow(clampedForce(s), dt);
+	SoftRow row;
+	row.m_upper = dt * s.m_yield;
+	row.m_lower = -row.m_upper;
+	return row;
+}
+
+/// Outcome of the return mapping.
+struct ReturnMapping
+{
+	btScalar m_force;      ///< at the end of the step, |m_force| <= yield
+	btScalar m_increment;  ///< of plastic deformation
+};
+
+/// Is the row's impulse at the bound at which it pulls back in direction sign (+1 or -1)?
+/// 1e-3 of the bounds' distance is what an iterative solver may leave.
+inline bool isAtBound(btScalar impulse, btScalar lower, btScalar upper, btScalar sign,
+									btScalar yieldImpulse)
+{
+	const btScalar slack = btScalar(1e-3) * yieldImpulse;
+	return sign > 0 ? impulse >= upper - slack : impulse <= lower + slack;
+}
+
+/// Return mapping of the trial deformation e* = e_n - dt J v1.
+/// atBound: whether the row's impulse sits at its bound in the direction of e*. Without that, a force beyond yield is what the
+/// solver has left unsolved: no plastic flow, only a clamped force.
+inline ReturnMapping returnMap(btScalar stiffness, btScalar yield, btScalar strain,
+														bool atBound)
+{
+	const btScalar trial = stiffness * strain;
+	ReturnMapping r;
+	r.m_force = btMax(-yield, btMin(yield, trial));
+	r.m_increment = atBound && btFabs(trial) > yield ? strain - r.m_force / stiffness : btScalar(0);
+	return r;
+}
+
+/// Return mapping of a rigid-plastic degree of freedom: at its bound, all motion in the direction of the force is plastic.
+inline ReturnMapping rigidReturnMap(btScalar impulse, btScalar strain, bool atBound,
+															 btScalar dt)
+{
+	ReturnMapping r;
+	r.m_force = impulse / dt;
+	r.m_increment = atBound ? strain : btScalar(0);
+	return r;
+}
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_LAW_H

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_BLOCK_MATRIX_H
+#define BT_ELASTIC_PLASTIC_BLOCK_MATRIX_H
+
+#include <stddef.h>
+#include <vector>
+
+namespace btElasticPlastic
+{
+/// A symmetric matrix of 6x6 blocks on a graph of bodies: one block on the diagonal per body, one beside it per pair of
+/// bodies that an edge joins. Always double: a stiff chain's matrix is too ill-conditioned for float.
+///
+/// It knows nothing of any elimination order; BlockFactor copies from it. So it stays as assembled: for
+/// residuals, for iterations with a stale factor, for factorising again after a few blocks have changed.
+///
+/// A block holds element (row, column) at [6 * column + row]. 288 bytes per body and per pair.
+class BlockMatrix
+{
+public:
+	/// Sets the graph, and every block to zero. The order of edges, their directions and repetitions make no difference
+	/// to the matrix: edges between the same two bodies share a block. An edge's bodies must differ.
+	void setPattern(int numBodies, const int (*edges)[2], int numEdges);
+
+	void setZero();
+
+	/// The body's block, 36 doubles: full and symmetric.
+	double* diagonal(int body) { return &m_values[36 * size_t(body)]; }
+	const double* diagonal(int body) const { return &m_values[36 * size_t(body)]; }
+
+	/// The block of an edge {a, b} of setPattern's list, 36 doubles: its rows are a's and its columns b's degrees of freedom;
+	/// the other way round if transposed. Its mirror image is not stored.
+	double* offDiagonal(int edge, bool& transposed)
+	{
+		transposed = m_edgeTransposed[edge] != 0;
+		return &m_values[36 * (size_t(m_numBodies) + m_edgePair[edge])];
+	}
+
+	/// y = H x, 6 doubles per body each; x and y must not overlap.
+	void multiply(const double* x, double* y) const;
+
+	int getNumBodies() const { return m_numBodies; }
+
+	/// The pairs of bodies with a block, each once, sorted by lower body, then by higher. Rows of the block are the higher's.
+	int getNumPairs() const { return int(m_higher.size()); }
+	int getLowerBody(int pair) const { return m_lower[pair]; }
+	int getHigherBody(int pair) const { return m_higher[pair]; }
+
+	/// All blocks one after another: those of the bodies, then those of the pairs.
+	const double* getValues() const { return m_values.data(); }
+
+private:
+	int m_numBodies = 0;
+	std::vector<int> m_lower;  // per pair
+	std::vector<int> m_higher;
+	std::vector<int> m_edgePair;  // per edge
+	std::vector<char> m_edgeTransposed;
+	std::vector<double> m_values;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_BLOCK_MATRIX_H

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "LinearSolver.h"
+
+#include <math.h>
+
+#include "ScopedTimer.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// A plan that no island has used for so many steps makes room for new ones. Where contacts change an island's graph in every
+/// step, there are so many plans of it and one more.
+const long long KEPT_STEPS = 2;
+/// Plans kept where nobody tells of steps.
+const size_t KEPT_PLANS = 256;
+
+size_t hashOf(int numBodies, const std::vector<int>& edges)
+{
+	size_t hash = size_t(numBodies);
+	for (const int body : edges)
+		hash = (hash ^ size_t(body)) * size_t(0x9E3779B97F4A7C15ull) + (hash >> 29);
+	return hash;
+}
+
+/// Is a factor so much more expensive than a solution with it that iterating with an old one pays?
+bool isWorthKeeping(const BlockFactor& factor)
+{
+	return LinearSolver::mayKeepFactor(factor.getNumBodies()) &&
+		   double(factor.getNumOperations()) > 8. * 144 * double(factor.getNumBlocks());
+}
+}  // namespace
+
+void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int ticket)
+{
+	const ScopedTimer lap("elastic-plastic analyse", m_statistics.m_analysisTime);
+	const size_t hash = hashOf(numBodies, edges);
+	m_plan = nullptr;
+	const auto range = m_plans.equal_range(hash);
+	for (auto i = range.first; i != range.second; ++i)
+	{
+		Plan& plan = *i->second;
+		if ((plan.m_ticket == 0 || plan.m_ticket == ticket) && plan.m_numBodies == numBodies && plan.m_edges == edges)
+			m_plan = &plan;
+	}
+	if (!m_plan)
+	{
+		m_plan = &newPlan(hash);
+		m_plan->m_numBodies = numBodies;
+		m_plan->m_edges = edges;
+		m_plan->m_matrix.setPattern(numBodies, reinterpret_cast<const int(*)[2]>(edges.data()), int(edges.size() / 2));
+		m_plan->m_factor.analyse(m_plan->m_matrix);
+		if (isWorthKeeping(m_plan->m_factor))
+			m_plan->m_ticket = ++m_lastTicket;
+		++m_statistics.m_analyses;
+	}
+	// What has slept is solved afresh: whether its plan is still there depends on others.
+	m_factorState = m_plan->m_lastUse + 1 >= m_step ? OLD : NONE;
+	m_plan->m_lastUse = m_step;
+}
+
+LinearSolver::Plan& LinearSolver::newPlan(size_t hash)
+{
+	for (auto i = m_plans.begin(); i != m_plans.end();)
+		i = i->second->m_lastUse < m_step - KEPT_STEPS ? m_plans.erase(i) : std::next(i);
+	if (m_step == 0 && m_plans.size() >= KEPT_PLANS)
+		m_plans.clear();
+	return *m_plans.emplace(hash, std::unique_ptr<Plan>(new Plan))->second;
+}
+
+void LinearSolver::setAssembled(const std::vector<int>& changedBodies)
+{
+	if (m_factorState == NONE || m_factorState == OLD)
+		return;
+	if (m_factorState == CURRENT)
+		m_changed.clear();
+	m_factorState = NEARLY;
+	m_changed.insert(m_changed.end(), changedBodies.begin(), changedBodies.end());
+}
+
+bool LinearSolver::factorise()
+{
+	const ScopedTimer lap("elastic-plastic factorise", m_statistics.m_factorisationTime);
+	++m_statistics.m_factorisations;
+	BlockFactor& factor = m_plan->m_factor;
+	bool done;
+	if (m_factorState == NEARLY && 8 * m_changed.size() < size_t(m_plan->m_numBodies))
+	{
+		++m_statistics.m_partialFactorisations;
+		done = factor.factorise(m_plan->m_matrix, m_changed.data(), int(m_changed.size()));
+	}
+	else
+		done = factor.factorise(m_plan->m_matrix);
+	m_factorState = done ? CURRENT : NONE;
+	return done;
+}
+
+bool LinearSolver::solve(std::vector<double>& x)
+{
+	if (m_factorState == OLD && m_plan->m_ticket && m_plan->m_factor.hasFactor() && m_maxIterations > 0)
+	{
+		if (m_plan->m_patience > 0)
+			--m_plan->m_patience;
+		else if (iterate(x))
+			return true;
+		else
+			m_plan->m_patience = 8;
+	}
+	if (m_factorState != CURRENT && !factorise())
+		return false;
+	const ScopedTimer lap("elastic-plastic solve", m_statistics.m_solutionTime);
+	m_plan->m_factor.solve(x.data());
+	++m_statistics.m_solutions;
+	return true;
+}
+
+namespace
+{
+double dot(const std::vector<double>& x, const std::vector<double>& y)
+{
+	double sum = 0;
+	for (size_t i = 0; i < x.size(); ++i)
+		sum += x[i] * y[i];
+	return sum;
+}
+}  // namespace
+
+/// Conjugate gradients, preconditioned with a factor that H has left behind a little. Leaves x as it was if it takes too long.
+bool LinearSolver::iterate(std::vector<double>& x)
+{
+	const ScopedTimer lap("elastic-plastic solve", m_statistics.m_solutionTime);
+	const BlockMatrix& matrix = m_plan->m_matrix;
+	const BlockFactor& factor = m_plan->m_factor;
+	const size_t n = x.size();
+	const double enough = m_tolerance * m_tolerance * dot(x, x);
+	m_rest = x;
+	m_product.resize(n);
+	m_preconditioned = m_rest;
+	factor.solve(m_preconditioned.data());
+	++m_statistics.m_solutions;
+	m_search = m_preconditioned;
+	m_solution.assign(n, 0.);
+	double rz = dot(m_rest, m_preconditioned), before = dot(x, x);
+	for (int i = 0; i < m_maxIterations; ++i)
+	{
+		matrix.multiply(m_search.data(), m_product.data());
+		++m_statistics.m_iterations;
+		const double alpha = rz / dot(m_search, m_product);
+		double rest = 0;
+		for (size_t k = 0; k < n; ++k)
+		{
+			m_solution[k] += alpha * m_search[k];
+			m_rest[k] -= alpha * m_product[k];
+			rest += m_rest[k] * m_rest[k];
+		}
+		if (rest <= enough)
+		{
+			x.swap(m_solution);
+			return true;
+		}
+		// Give up when the way is too long: each iteration gains about what the last one did.
+		if (!(rest < before) || pow(rest / before, m_maxIterations - 1 - i) * rest > enough)
+			return false;
+		before = rest;
+		m_preconditioned = m_rest;
+		factor.solve(m_preconditioned.data());
+		++m_statistics.m_solutions;
+		const double next = dot(m_rest, m_preconditioned);
+		for (size_t k = 0; k < n; ++k)
+			m_search[k] = m_preconditioned[k] + next / rz * m_search[k];
+		rz = next;
+	}
+	return false;
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "Islands.h"
+
+#include <algorithm>
+
+#include "BulletCollision/BroadphaseCollision/btBroadphaseProxy.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticJoint.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// In the order of being added to the world, and for good: the place in the world changes when another body leaves.
+uint32_t orderOf(const btCollisionObject& body)
+{
+	const btBroadphaseProxy* const proxy = body.getBroadphaseHandle();
+	return uint32_t(proxy ? proxy->getUid() : body.getWorldArrayIndex());
+}
+}  // namespace
+
+int Islands::rootOf(int body)
+{
+	while (m_parent[body] != body)
+		body = m_parent[body] = m_parent[m_parent[body]];
+	return body;
+}
+
+void Islands::join(const btCollisionObject& a, const btCollisionObject& b)
+{
+	if (a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject())
+		return;
+	const int rootA = rootOf(a.getCompanionId()), rootB = rootOf(b.getCompanionId());
+	// Low roots: a chain of bodies in order is a tree of depth one.
+	m_parent[rootA > rootB ? rootA : rootB] = rootA > rootB ? rootB : rootA;
+}
+
+/// Bullet's companion number, free between two solutions, tells a body its place in the group.
+void Islands::findIslands(const SolverGroup& group)
+{
+	m_parent.resize(group.m_numBodies);
+	for (int i = 0; i < group.m_numBodies; ++i)
+	{
+		const bool moves = !group.m_bodies[i]->isStaticOrKinematicObject();
+		m_parent[i] = moves ? i : -1;
+		if (moves)
+			group.m_bodies[i]->setCompanionId(i);
+	}
+	for (int i = 0; i < group.m_numConstraints; ++i)
+		if (group.m_constraints[i]->isEnabled())
+			join(group.m_constraints[i]->getRigidBodyA(), group.m_constraints[i]->getRigidBodyB());
+	for (int i = 0; i < group.m_numManifolds; ++i)
+		if (group.m_manifolds[i]->getNumContacts() > 0)
+			join(*group.m_manifolds[i]->getBody0(), *group.m_manifolds[i]->getBody1());
+
+	m_islands.assign(group.m_numBodies, -1);
+	m_numIslands = 0;
+	for (int i = 0; i < group.m_numConstraints; ++i)
+	{
+		if (!group.m_joints[i])
+			continue;
+		const btRigidBody& a = group.m_constraints[i]->getRigidBodyA();
+		const btRigidBody& moving = a.isStaticOrKinematicObject() ? group.m_constraints[i]->getRigidBodyB() : a;
+		if (moving.isStaticOrKinematicObject())
+			continue;
+		int& number = m_islands[rootOf(moving.getCompanionId())];
+		if (number < 0)
+			number = m_numIslands++;
+	}
+	for (int i = 0; i < group.m_numBodies; ++i)
+		m_islands[i] = m_parent[i] < 0 || m_islands[rootOf(i)] < 0 ? m_numIslands : m_islands[rootOf(i)];
+}
+
+int Islands::numberOf(const btCollisionObject& body) const
+{
+	return body.isStaticOrKinematicObject() ? m_numIslands : m_islands[body.getCompanionId()];
+}
+
+template <class T>
+void Islands::Sorted<T>::sort(T** items, int numIslands)
+{
+	m_start.assign(numIslands + 2, 0);
+	for (const Key& key : m_keys)
+		++m_start[key.m_island + 1];
+	for (int i = 0; i <= numIslands; ++i)
+		m_start[i + 1] += m_start[i];
+	m_next.assign(m_start.begin(), m_start.end());
+	m_sorted.resize(m_keys.size());
+	for (const Key& key : m_keys)
+		m_sorted[m_next[key.m_island]++] = key;
+	for (int i = 0; i < numIslands; ++i)
+		std::sort(m_sorted.begin() + m_start[i], m_sorted.begin() + m_start[i + 1],
+				  [](const Key& a, const Key& b)
+				  {
+					  if (a.m_bodies != b.m_bodies)
+						  return a.m_bodies < b.m_bodies;
+					  return a.m_order != b.m_order ? a.m_order < b.m_order : a.m_source < b.m_source;
+				  });
+	m_items.resize(m_sorted.size());
+	for (size_t i = 0; i < m_sorted.size(); ++i)
+		m_items[i] = items[m_sorted[i].m_source];
+}
+
+void Islands::split(const SolverGroup& group)
+{
+	findIslands(group);
+	const auto key = [this](const btCollisionObject& a, const btCollisionObject& b, int order, int source)
+	{
+		return Key{uint64_t(orderOf(a)) << 32 | orderOf(b), order, source,
+				   numberOf(a.isStaticOrKinematicObject() ? b : a)};
+	};
+	m_bodies.m_keys.clear();
+	for (int i = 0; i < group.m_numBodies; ++i)
+		m_bodies.m_keys.push_back(key(*group.m_bodies[i], *group.m_bodies[i], 0, i));
+	m_bodies.sort(group.m_bodies, getNumIslands());
+
+	m_manifolds.m_keys.clear();
+	for (int i = 0; i < group.m_numManifolds; ++i)
+	{
+		const btPersistentManifold& manifold = *group.m_manifolds[i];
+		const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+		// Bullet would take both bodies in, and move one of another island a second time.
+		if (manifold.getNumContacts() == 0 && (numberOf(a) < m_numIslands || numberOf(b) < m_numIslands))
+			continue;
+		m_manifolds.m_keys.push_back(key(a, b, 0, i));
+	}
+	m_manifolds.sort(group.m_manifolds, getNumIslands());
+
+	m_constraints.m_keys.clear();
+	for (int i = 0; i < group.m_numConstraints; ++i)
+	{
+		const btTypedConstraint& constraint = *group.m_constraints[i];
+		m_constraints.m_keys.push_back(key(constraint.getRigidBodyA(), constraint.getRigidBodyB(),
+										   group.m_joints[i] ? group.m_joints[i]->getEntry() : -1, i));
+	}
+	m_constraints.sort(group.m_constraints, getNumIslands());
+	for (int i = 0; i < group.m_numBodies; ++i)
+		if (m_parent[i] >= 0)
+			group.m_bodies[i]->setCompanionId(-1);
+	m_joints.clear();
+	for (const Key& constraint : m_constraints.m_sorted)
+		m_joints.push_back(group.m_joints[constraint.m_source]);
+}
+
+SolverGroup Islands::get(int island)
+{
+	return {m_bodies.begin(island),
+			m_bodies.getSize(island),
+			m_manifolds.begin(island),
+			m_manifolds.getSize(island),
+			m_constraints.begin(island),
+			m_constraints.getSize(island),
+			m_joints.data() + m_constraints.m_start[island]};
+}
+}  // namespace btElasticPlastic

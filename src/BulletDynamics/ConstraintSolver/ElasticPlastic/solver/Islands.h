@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_ISLANDS_H
+#define BT_ELASTIC_PLASTIC_ISLANDS_H
+
+#include <stdint.h>
+#include <vector>
+
+class btCollisionObject;
+class btElasticPlasticJoint;
+class btPersistentManifold;
+class btTypedConstraint;
+
+namespace btElasticPlastic
+{
+
+/// What a solver is given at a time: several islands, as Bullet joins small ones to batches.
+struct SolverGroup
+{
+	btCollisionObject** m_bodies;
+	int m_numBodies;
+	btPersistentManifold** m_manifolds;
+	int m_numManifolds;
+	btTypedConstraint** m_constraints;
+	int m_numConstraints;
+	btElasticPlasticJoint** m_joints;  ///< per constraint, null if it is not elastic-plastic
+};
+
+/// Takes a group apart: each island with elastic-plastic joints by itself, all others together.
+///
+/// An island here is what constraints and contacts join. Bullet's own may be larger: it joins bodies whose boxes have
+/// overlapped until it looks at the pair again, which depends on the rest of the world. And its sort by islands shuffles what is
+/// equal. Here an island is put in an order of its own, that in which its bodies were added to the world (the numbers that the
+/// broadphase gives): it then gives the same bits whatever is around it. The others stay in Bullet's order.
+class Islands
+{
+public:
+	/// What the group points to must stay; the arrays may go.
+	void split(const SolverGroup& group);
+
+	int getNumIslands() const { return m_numIslands; }  ///< with elastic-plastic joints
+	SolverGroup getIsland(int i) { return get(i); }
+	SolverGroup getOthers() { return get(getNumIslands()); }
+
+private:
+	/// Where an item goes.
+	struct Key
+	{
+		uint64_t m_bodies;  ///< one body's number, then the other's
+		int m_order;        ///< among those of the same bodies
+		int m_source;
+		int m_island;  ///< our number, the others last
+	};
+
+	/// Items of one kind, by island.
+	template <class T>
+	struct Sorted
+	{
+		std::vector<Key> m_keys, m_sorted;
+		std::vector<T*> m_items;
+		std::vector<int> m_start, m_next;  // per island
+
+		T** begin(int island) { return m_items.data() + m_start[island]; }
+		int getSize(int island) const { return m_start[island + 1] - m_start[island]; }
+		void sort(T** items, int numIslands);
+	};
+
+	void findIslands(const SolverGroup& group);
+	void join(const btCollisionObject& a, const btCollisionObject& b);
+	int rootOf(int body);
+	int numberOf(const btCollisionObject& body) const;
+	SolverGroup get(int island);
+
+	int m_numIslands = 0;
+	std::vector<int> m_parent;   // of a forest of the group's bodies, -1 for those that do not move
+	std::vector<int> m_islands;  // per body
+	Sorted<btCollisionObject> m_bodies;
+	Sorted<btPersistentManifold> m_manifolds;
+	Sorted<btTypedConstraint> m_constraints;
+	std::vector<btElasticPlasticJoint*> m_joints;  // per constraint as sorted
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_ISLANDS_H

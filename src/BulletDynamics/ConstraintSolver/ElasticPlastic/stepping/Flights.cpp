@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "Flights.h"
+
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "LinearMath/btAabbUtil2.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+struct ApproachQuery : btBroadphaseAabbCallback
+{
+	btDynamicsWorld& m_world;
+	const BodyMarks& m_joined;
+	btRigidBody* m_body = nullptr;
+	Approach m_result;
+
+	ApproachQuery(btDynamicsWorld& world, const BodyMarks& joined) : m_world(world), m_joined(joined) {}
+
+	static btScalar leastEdge(const btBroadphaseProxy& proxy)
+	{
+		const btVector3 size = proxy.m_aabbMax - proxy.m_aabbMin;
+		return size[size.minAxis()];
+	}
+
+	void look(btRigidBody& body, btScalar dt)
+	{
+		const btBroadphaseProxy* const proxy = body.getBroadphaseProxy();
+		const btVector3 way = body.getLinearVelocity() * dt;
+		if (!proxy || proxy->m_collisionFilterMask == 0 || way.length() < SHARE * leastEdge(*proxy))
+			return;
+		btVector3 from = proxy->m_aabbMin, to = proxy->m_aabbMax;
+		from.setMin(from + way);
+		to.setMax(to + way);
+		m_body = &body;
+		m_world.getBroadphase()->aabbTest(from, to, *this);
+	}
+
+	bool process(const btBroadphaseProxy* other) override
+	{
+		btBroadphaseProxy* const mine = m_body->getBroadphaseProxy();
+		btCollisionObject* const object = static_cast<btCollisionObject*>(other->m_clientObject);
+		btRigidBody* const body = btRigidBody::upcast(object);
+		if (other == mine || !body || (!m_joined.isMarked(*m_body) && !m_joined.isMarked(*body)) ||
+			!m_world.getPairCache()->needsBroadphaseCollision(mine, const_cast<btBroadphaseProxy*>(other)) ||
+			!m_body->checkCollideWith(body))
+			return true;
+		m_result.m_isBlow |=
+			!TestAabbAgainstAabb2(mine->m_aabbMin, mine->m_aabbMax, other->m_aabbMin, other->m_aabbMax);
+		const btScalar speed = (m_body->getLinearVelocity() - body->getLinearVelocity()).length();
+		btSetMax(m_result.m_rate, double(speed / (SHARE * btMin(leastEdge(*mine), leastEdge(*other)))));
+		return true;
+	}
+
+	static constexpr btScalar SHARE = btScalar(0.05);  ///< of an edge
+};
+}  // namespace
+
+Approach lookAhead(btDynamicsWorld& world, const BodyMarks& joined,
+												   btScalar dt)
+{
+	ApproachQuery approach(world, joined);
+	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+	for (int i = 0; i < objects.size(); ++i)
+	{
+		btRigidBody* const body = btRigidBody::upcast(objects[i]);
+		if (body && (body->getInvMass() > 0 || body->isKinematicObject()) && body->isActive())
+			approach.look(*body, dt);
+	}
+	return approach.m_result;
+}
+
+/// Which of the world's bodies have constraints or contacts.
+static BodyMarks findHeld(btDynamicsWorld& world)
+{
+	BodyMarks held;
+	held.clear(world.getNumCollisionObjects());
+	for (int i = 0; i < world.getNumConstraints(); ++i)
+	{
+		held.mark(world.getConstraint(i)->getRigidBodyA());
+		held.mark(world.getConstraint(i)->getRigidBodyB());
+	}
+	btDispatcher& dispatcher = *world.getDispatcher();
+	for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+	{
+		const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+		if (manifold.getNumContacts() == 0)
+			continue;
+		held.mark(*manifold.getBody0());
+		held.mark(*manifold.getBody1());
+	}
+	return held;
+}
+
+void keepFreeFlight(btDynamicsWorld& world, btScalar later)
+{
+	const BodyMarks held = findHeld(world);
+	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+	for (int i = 0; i < objects.size(); ++i)
+	{
+		btRigidBody* const body = btRigidBody::upcast(objects[i]);
+		if (body && body->getInvMass() > 0 && body->isActive() && !held.isMarked(*body))
+			body->setLinearVelocity(body->getLinearVelocity() + body->getGravity() * body->getLinearFactor() * later);
+	}
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_PROFILE_H
+#define BT_ELASTIC_PLASTIC_PROFILE_H
+
+#include <string>
+
+#include "btElasticPlasticConstraintSolver.h"
+#include "btElasticPlasticStepControl.h"
+
+/// Looks at a world and an error that is allowed, leaves out what this scene does not need, and says why.
+///
+///     btElasticPlasticStepper profile(world, action, &solver, 0.01, 1. / 60);
+///     puts(profile.getText());
+///     ... each frame: profile.step();
+///
+/// What is left out comes back when the running scene needs it: substeps when something is about to yield or to be hit. What
+/// stays is told with its price, as measured (docs/performance.md).
+class btElasticPlasticStepper
+{
+public:
+	/// The world as it stands now, with its joints; what comes later is stepped as well, but not told.
+	/// \param solver  the world's, set to its direct form; null: the world has one of Bullet's, which stays as it is
+	/// \param error   allowed in how much flows, relative: see btElasticPlasticStepControl
+	/// \param step    of the game [s], > 0
+	/// World, action and solver must outlive it.
+	btElasticPlasticStepper(btDynamicsWorld& world, btElasticPlasticAction& action,
+							btElasticPlasticConstraintSolver* solver, double error, btScalar step);
+
+	/// Steps the world by the game's step, or by that of a frame [s]. \return number of substeps, 0 for no step (a pause)
+	int step() { return step(m_step); }
+	int step(btScalar dt) { return m_control.step(m_world, m_action, dt); }
+
+	/// What was seen, what is left out, and why: a line each.
+	const char* getText() const { return m_text.c_str(); }
+
+	btElasticPlasticStepControl& getControl() { return m_control; }
+
+private:
+	struct Sight;
+
+	Sight look() const;
+	void tell(const char* format, ...);
+	void tellMistakes(const Sight& sight, const btElasticPlasticConstraintSolver* solver);
+	void tellSolver(const Sight& sight, btElasticPlasticConstraintSolver* solver);
+	void tellRest(const Sight& sight);
+
+	btDynamicsWorld& m_world;
+	btElasticPlasticAction& m_action;
+	btElasticPlasticStepControl m_control;
+	btScalar m_step;
+	std::string m_text;
+};
+
+#endif  // BT_ELASTIC_PLASTIC_PROFILE_H

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// Where energy goes: hinges that stop a turning body at any bend, and an audit of joints against bodies.
+
+#include <math.h>
+
+#include <gtest/gtest.h>
+
+#include "support/Precision.h"
+#include "world/World.h"
+
+namespace
+{
+using namespace ep;
+
+/// A static body and a turning one, joined at the latter's centre of mass; only the hinge's axis yields.
+struct Hinge
+{
+	static constexpr double MOMENT = 500, SPIN = 10;
+
+	World m_world;
+	btRigidBody* m_body;
+	btElasticPlasticJoint* m_joint;
+	int m_dof;
+	double m_kinetic;
+
+	/// \param angle  that the spin's energy is to bend it [rad]
+	Hinge(Solver solver, JointClass jointClass, int dof, double angle, double sign, bool bodyFirst,
+		  const btQuaternion& turn)
+		: m_world(solver, btVector3(0, 0, 0)), m_dof(dof)
+	{
+		// Cube: inertia m a^2 / 6 about every axis, so that Bullet's gyroscopic term has no part in it.
+		const btScalar side = btScalar(0.6), mass = btScalar(2 * MOMENT * angle / (SPIN * SPIN) * 6 / (0.6 * 0.6));
+		btRigidBody* support = m_world.body(0, m_world.box(btVector3(1, 1, 1)), btTransform(turn), false);
+		m_body = m_world.body(mass, m_world.box(btVector3(side, side, side)), btTransform(turn), false);
+		btElasticPlasticCapacity capacity;
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			capacity.set(i, btScalar(1e7), btElasticPlasticCapacity::unlimited());
+		capacity.set(dof, btScalar(1e6), btScalar(MOMENT));
+		m_joint = bodyFirst ? m_world.joint(*m_body, *support, btTransform(turn), capacity, jointClass)
+							: m_world.joint(*support, *m_body, btTransform(turn), capacity, jointClass);
+		btVector3 axis(0, 0, 0);
+		axis[dof - 3] = btScalar(sign * SPIN);
+		m_body->setAngularVelocity(quatRotate(turn, axis));
+		m_kinetic = m_world.kineticEnergy();
+	}
+};
+
+TEST(Hinge, StopsATurningBodyAtAnyBend)
+{
+	const double dt = 1. / 960;
+	for (Solver solver : {Solver::Iterative, Solver::Stock})
+		for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
+			for (int dof : {BT_EP_TORSION, BT_EP_BENDING_Y, BT_EP_BENDING_Z})
+				for (double sign : {1., -1.})
+					for (bool bodyFirst : {false, true})
+						for (const btQuaternion& turn :
+							 {btQuaternion(0, 0, 0, 1), btQuaternion(btVector3(1, -2, 2).normalized(), btScalar(0.8))})
+						{
+							const double angle = 170 * M_PI / 180;
+							Hinge hinge(solver, jointClass, dof, angle, sign, bodyFirst, turn);
+							SCOPED_TRACE(testing::Message()
+										 << "solver " << int(solver) << " class " << int(jointClass) << " dof " << dof
+										 << " sign " << sign << " first " << bodyFirst);
+							double last = 0;
+							for (int i = 0; i < 960; ++i)
+							{
+								hinge.m_world.step(btScalar(dt));
+								const double now = hinge.m_joint->getPlasticPath(dof);
+								// No jump: never more in a step than the spin can turn.
+								ASSERT_LE(now - last, Hinge::SPIN * dt * 1.001);
+								last = now;
+							}
+							// energy = M (angle - elastic part); the sum over steps is off by at most one step of motion.
+							EXPECT_NEAR(hinge.m_kinetic / Hinge::MOMENT, last, Hinge::SPIN * dt);
+							EXPECT_NEAR(hinge.m_kinetic, hinge.m_joint->getPlasticEnergy(),
+										Hinge::MOMENT * Hinge::SPIN * dt);
+							// Bent the way it turned: as seen from body A, by the relative rotation of B.
+							EXPECT_NEAR((bodyFirst ? -sign : sign) * last, hinge.m_joint->getPlasticDeformation(dof),
+										1e-3);
+							for (int other = 0; other < BT_EP_DOF_COUNT; ++other)
+								EXPECT_EQ(other == dof, hinge.m_joint->getPlasticPath(other) > 0);
+							// Audit: what the body lost, the joint has.
+							EXPECT_NEAR(hinge.m_kinetic - hinge.m_world.kineticEnergy(), hinge.m_joint->getWork(),
+										byPrecision(1e-9, 1e-5) * hinge.m_kinetic);
+						}
+}
+
+TEST(Hinge, BendsThroughSeveralTurns)
+{
+	for (int dof : {BT_EP_TORSION, BT_EP_BENDING_Y, BT_EP_BENDING_Z})
+	{
+		const double angle = 20;  // more than three turns
+		Hinge hinge(Solver::Iterative, JointClass::Spring2, dof, angle, 1, false, btQuaternion(0, 0, 0, 1));
+		for (int i = 0; i < 5 * 960; ++i)
+			hinge.m_world.step(btScalar(1) / 960);
+		EXPECT_NEAR(angle, hinge.m_joint->getPlasticDeformation(dof), Hinge::SPIN / 960);
+	}
+}
+
+/// A cantilever of cubes in the plane, loaded far beyond yield by its weight and a sideways kick.
+struct Chain
+{
+	static constexpr int LINKS = 4;
+
+	World m_world;
+
+	Chain(Solver solver, JointClass jointClass, btScalar ductility) : m_world(solver)
+	{
+		btRigidBody* last = m_world.body(0, m_world.box(btVector3(1, 1, 1)), btTransform::getIdentity(), false);
+		btCollisionShape* cube = m_world.box(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
+		btElasticPlasticCapacity capacity;
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			capacity.set(i, i < 3 ? btScalar(4e6) : btScalar(4e5), i < 3 ? btScalar(8e3) : btScalar(1500), ductility);
+		for (int i = 0; i < LINKS; ++i)
+		{
+			const btScalar x = btScalar(0.5 * i);
+			btRigidBody* next = m_world.body(
+				200, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.25) + x, 0, 0)), false);
+			m_world.joint(*last, *next, btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, 0, 0)), capacity,
+						  jointClass);
+			last = next;
+		}
+		last->setLinearVelocity(btVector3(1, -2, 0));
+	}
+
+	double work() const
+	{
+		double sum = 0;
+		for (const btElasticPlasticJoint* joint : m_world.joints())
+			sum += joint->getWork();
+		return sum;
+	}
+
+	/// Work of gravity in a step is weight times mean velocity, exactly.
+	double gravityPower() const
+	{
+		double sum = 0;
+		for (const auto& body : m_world.bodies())
+			if (body->getInvMass() > 0)
+				sum += double(body->getGravity().dot(body->getLinearVelocity())) / double(body->getInvMass());
+		return sum;
+	}
+};
+
+TEST(Energy, IsAudited)
+{
+	// Kinetic energy + work of the joints - work of gravity stays what it was, whatever the solver left unsolved,
+	// through yield, reversal and (ductility 0.1) breaks.
+	for (Solver solver : {Solver::Iterative, Solver::Stock, Solver::Nncg, Solver::Mlcp})
+		for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
+			for (double ductility : {1e3, 0.1})
+				for (int rate : {60, 480})
+				{
+					Chain chain(solver, jointClass, btScalar(ductility));
+					const double before = chain.m_world.kineticEnergy();
+					double gravity = 0, turnover = before;
+					for (int i = 0; i < rate; ++i)
+					{
+						const double power = chain.gravityPower();
+						chain.m_world.step(btScalar(1) / rate);
+						gravity += (power + chain.gravityPower()) / 2 / rate;
+						turnover = std::max(turnover, chain.m_world.kineticEnergy() + fabs(chain.work()));
+					}
+					EXPECT_NEAR(0, chain.m_world.kineticEnergy() + chain.work() - gravity - before,
+								byPrecision(1e-9, 1e-5) * turnover)
+						<< "solver " << int(solver) << " class " << int(jointClass) << " ductility " << ductility
+						<< " rate " << rate;
+					bool yielded = false, broken = false;
+					for (const btElasticPlasticJoint* joint : chain.m_world.joints())
+					{
+						yielded |= joint->hasYielded();
+						broken |= joint->isBroken();
+					}
+					EXPECT_TRUE(yielded);
+					EXPECT_EQ(ductility < 1, broken);
+				}
+}
+
+TEST(Energy, SplitsIntoElasticPlasticAndNumerical)
+{
+	Chain chain(Solver::Iterative, JointClass::Spring2, btScalar(1e3));
+	for (int i = 0; i < 240; ++i)
+		chain.m_world.step(btScalar(1) / 240);
+	for (const btElasticPlasticJoint* joint : chain.m_world.joints())
+	{
+		double elastic = 0, plastic = 0;
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		{
+			elastic += 0.5 * joint->getForce(i) * joint->getElasticDeformation(i);
+			plastic += joint->getCapacity().m_yield[i] * joint->getPlasticPath(i);
+		}
+		EXPECT_NEAR(elastic, joint->getElasticEnergy(), 1e-6 * (1 + elastic));
+		// Float sums over 240 increments of the path against the double sum of energy.
+		EXPECT_NEAR(plastic, joint->getPlasticEnergy(), byPrecision(1e-9, 1e-5) * (1 + plastic));
+		EXPECT_NEAR(joint->getWork(),
+					joint->getElasticEnergy() + joint->getPlasticEnergy() + joint->getNumericalEnergy(),
+					1e-9 * (1 + fabs(joint->getWork())));
+	}
+}
+}  // namespace

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// What is stiff, extreme or unusual, see Stability.h.
+
+#include <gtest/gtest.h>
+
+#include "LinearMath/btScalar.h"
+#include "problems/Stability.h"
+
+namespace
+{
+using namespace ep;
+
+class Stability : public testing::TestWithParam<Trial>
+{
+};
+
+TEST_P(Stability, DirectSolverIsRight)
+{
+	for (const JointClass jointClass : {JointClass::Spring2, JointClass::Spring})
+	{
+		Method method(Solver::Direct);
+		method.jointClass = jointClass;
+		const std::string complaint = GetParam().run(method).complaint();
+		if (GetParam().limitOfFloat && sizeof(btScalar) == 4)
+		{
+			EXPECT_NE("", complaint) << "no limit any more: " << GetParam().limitOfFloat;
+		}
+		else
+		{
+			EXPECT_EQ("", complaint);
+		}
+	}
+}
+
+/// Ten iterations do not hold a stiff structure; but they do not blow it up.
+TEST_P(Stability, IterationsStayFiniteAndCreateNoEnergy)
+{
+	for (const Solver solver : {Solver::Iterative, Solver::Stock})
+	{
+		const Verdict verdict = GetParam().run(solver);
+		EXPECT_TRUE(verdict.isFinite);
+		EXPECT_LE(verdict.created, Verdict::CREATED);
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Stability, testing::ValuesIn(stabilityTrials()),
+						 [](const testing::TestParamInfo<Trial>& info)
+						 {
+							 std::string name;
+							 for (const char c : info.param.group + ("_" + info.param.name))
+								 name += c == '-' ? "minus"
+												  : std::string(1, isalnum(static_cast<unsigned char>(c)) ? c : '_');
+							 return name;
+						 });
+}  // namespace

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// What the Charpy test's window shows and lets change, without a window.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "view/CharpyScene.h"
+
+using namespace ep;
+
+TEST(Charpy, WindowShowsThreeViewsAndEnergiesAsTheyGo)
+{
+	CharpyScene scene{CharpySettings()};
+	for (int i = 0; i < 1000 && scene.draw().chart.x.size() < 10; ++i)
+		scene.step(Controls());
+	const Drawing drawing = scene.draw();
+	EXPECT_EQ(3u, drawing.views.size());
+	ASSERT_EQ(10u, drawing.chart.x.size());
+	// What is stacked is what the hammer has lost, and what it is made of has a name.
+	float sum = 0;
+	for (const Chart::Band& band : drawing.chart.bands)
+		sum += band.values.back();
+	const CharpyResult r = scene.charpy().result();
+	EXPECT_NEAR(r.loss(), sum, 0.005 * r.loss());  // as the audit closes
+	EXPECT_EQ(drawing.chart.bands.size(), drawing.legend.size());
+}
+
+TEST(Charpy, WindowsKeysChangeTheTest)
+{
+	CharpyScene scene{CharpySettings()};
+	const auto settings = [&scene]() -> const CharpySettings& { return scene.charpy().settings(); };
+	for (int i = 0; i < 10; ++i)
+	{
+		scene.key(char('0' + i));
+		EXPECT_EQ(charpyWays()[size_t(i)].value, settings().way);
+	}
+	scene.key('+');
+	EXPECT_DOUBLE_EQ(0.2e-3, settings().step);
+	scene.key('-');
+	EXPECT_DOUBLE_EQ(0.1e-3, settings().step);
+	scene.key('g');
+	EXPECT_EQ(CharpyGeometry::Paper, settings().geometry);
+
+	// The paper's hammer is too thick for these anvils.
+	CharpySettings narrow;
+	narrow.gap = 0.018;
+	CharpyScene tight{narrow};
+	tight.key('g');
+	EXPECT_EQ(CharpyGeometry::Repeatable, tight.charpy().settings().geometry);
+
+	// Slower: a picture shows half the time.
+	const auto inImpact = [](char key)
+	{
+		CharpyScene slow{CharpySettings()};
+		slow.key(key);
+		while (!slow.charpy().hasStruck())
+			slow.step(Controls());
+		const double before = slow.charpy().time();
+		slow.step(Controls());
+		return slow.charpy().time() - before;
+	};
+	EXPECT_NEAR(inImpact(','), inImpact(' ') / 2, 1e-9);
+	EXPECT_NEAR(inImpact('.'), inImpact(' ') * 2, 1e-9);
+}
+
+namespace
+{
+/// A person who moves one slider and lets go, or presses a button.
+struct OneHand : Panel
+{
+	std::string label, said;
+	double to = 0;
+
+	bool section(const char*, bool) override { return true; }
+	void text(const std::string& line) override { said += line + "\n"; }
+	bool button(const char* l) override { return l == label; }
+	void beside() override {}
+	bool check(const char*, bool&) override { return false; }
+	bool choice(const char*, size_t&, const std::vector<std::string>&) override { return false; }
+	bool slider(const char* l, double& value, double, double, const char*) override
+	{
+		if (l != label)
+			return false;
+		value = to;
+		return true;
+	}
+	bool slider(const char*, int&, int, int) override { return false; }
+	void shares(const std::vector<Share>&, const char*) override {}
+	int table(const char*, const std::vector<std::string>&, const std::vector<Row>&, int) override { return -1; }
+	void plot(const char*, const std::vector<float>&, const char*) override {}
+};
+}  // namespace
+
+TEST(Charpy, WindowsPanelChangesTheTest)
+{
+	CharpySettings low;
+	low.height = 0.005;
+	CharpyScene scene{low};
+	OneHand hand;
+	hand.label = "friction";
+	hand.to = 0.3;
+	scene.panel(0, hand);
+	EXPECT_DOUBLE_EQ(0.3, scene.charpy().settings().friction);
+	// What does not go is said, and all stays as it was.
+	hand.label = "notch [mm]";
+	hand.to = 6;
+	scene.panel(0, hand);
+	EXPECT_NE(std::string::npos, hand.said.find("--notch is 6"));
+	EXPECT_EQ(low.notch, scene.charpy().settings().notch);
+	hand.label = "As given";
+	scene.panel(0, hand);
+	EXPECT_EQ(low.friction, scene.charpy().settings().friction);
+}
