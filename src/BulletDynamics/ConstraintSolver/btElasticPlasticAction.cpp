@@ -16,7 +16,10 @@ void btElasticPlasticListener::onRefused(btElasticPlasticJoint&, const char* tex
 	fprintf(stderr, "Bullet Elastic-Plastic refused %s\n", text);
 }
 
-btElasticPlasticAction::btElasticPlasticAction() : m_registry(new btElasticPlastic::JointRegistry) {}
+btElasticPlasticAction::btElasticPlasticAction(btElasticPlasticOwnPrecision)
+	: m_registry(new btElasticPlastic::JointRegistry)
+{
+}
 btElasticPlasticAction::~btElasticPlasticAction() { delete m_registry; }
 
 bool btElasticPlasticAction::addJoint(btElasticPlasticJoint* joint) { return m_registry->add(*joint->m_works); }

@@ -7,6 +7,7 @@
 #include "BulletDynamics/Dynamics/btActionInterface.h"
 #include "btElasticPlasticEvent.h"
 #include "btElasticPlasticJoint.h"
+#include "btElasticPlasticPrecision.h"
 
 class btDynamicsWorld;
 
@@ -24,7 +25,7 @@ class JointRegistry;
 class btElasticPlasticAction : public btActionInterface
 {
 public:
-	btElasticPlasticAction();
+	btElasticPlasticAction(btElasticPlasticOwnPrecision = {});
 	~btElasticPlasticAction() override;
 	btElasticPlasticAction(const btElasticPlasticAction&) = delete;
 	btElasticPlasticAction& operator=(const btElasticPlasticAction&) = delete;

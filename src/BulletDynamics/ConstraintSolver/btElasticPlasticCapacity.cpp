@@ -5,7 +5,7 @@
 
 #include "LinearMath/btMinMax.h"
 
-btElasticPlasticCapacity::btElasticPlasticCapacity()
+btElasticPlasticCapacity::btElasticPlasticCapacity(btElasticPlasticOwnPrecision)
 {
 	m_rigidPlastic = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)

@@ -7,7 +7,10 @@
 
 #include "ElasticPlastic/solver/SolverWorks.h"
 
-btElasticPlasticConstraintSolver::btElasticPlasticConstraintSolver() : m_works(new btElasticPlastic::SolverWorks) {}
+btElasticPlasticConstraintSolver::btElasticPlasticConstraintSolver(btElasticPlasticOwnPrecision)
+	: m_works(new btElasticPlastic::SolverWorks)
+{
+}
 btElasticPlasticConstraintSolver::~btElasticPlasticConstraintSolver() { delete m_works; }
 
 bool btElasticPlasticConstraintSolver::setSettings(const btElasticPlasticSolverSettings& settings)

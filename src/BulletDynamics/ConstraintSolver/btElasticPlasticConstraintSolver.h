@@ -5,6 +5,7 @@
 #define BT_ELASTIC_PLASTIC_CONSTRAINT_SOLVER_H
 
 #include "BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h"
+#include "btElasticPlasticPrecision.h"
 #include "btElasticPlasticSolverSettings.h"
 #include "btElasticPlasticStatistics.h"
 
@@ -25,7 +26,7 @@ class alignas(16) btElasticPlasticConstraintSolver : public btSequentialImpulseC
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
-	btElasticPlasticConstraintSolver();
+	btElasticPlasticConstraintSolver(btElasticPlasticOwnPrecision = {});
 	~btElasticPlasticConstraintSolver() override;
 	btElasticPlasticConstraintSolver(const btElasticPlasticConstraintSolver&) = delete;
 	btElasticPlasticConstraintSolver& operator=(const btElasticPlasticConstraintSolver&) = delete;
