@@ -10,7 +10,7 @@
 
 namespace ep
 {
-void Viewer::save(const std::string& file)
+void Session::save(const std::string& file)
 {
 	writePng(file, Renderer::read(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)));
 	std::printf("picture %s\n", file.c_str());
@@ -18,7 +18,7 @@ void Viewer::save(const std::string& file)
 }
 
 /// For a film, and of the window as a whole.
-void Viewer::keepPicture(double seconds)
+void Session::keepPicture(double seconds)
 {
 	m_filmTime += seconds;
 	if (m_recorder)
@@ -37,7 +37,7 @@ void Viewer::keepPicture(double seconds)
 }
 
 /// As often as the time that has passed wants it.
-void Viewer::addToFilm()
+void Session::addToFilm()
 {
 	try
 	{
@@ -55,13 +55,13 @@ void Viewer::addToFilm()
 	}
 }
 
-void Viewer::startFilm(const std::string& file)
+void Session::startFilm(const std::string& file)
 {
 	m_filmTime = 0;
 	m_recorder.reset(new Recorder(file, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)));
 }
 
-void Viewer::endFilm()
+void Session::endFilm()
 {
 	m_recorder->finish();
 	m_recorder.reset();
