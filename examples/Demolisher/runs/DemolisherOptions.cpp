@@ -27,13 +27,17 @@ void addTo(std::string& list, const char* title, const std::vector<Named<Value>>
 }
 
 /// All of them is one choice more.
-std::vector<Named<std::vector<Scene>>> sceneChoices()
+const std::vector<Named<std::vector<Scene>>>& sceneChoices()
 {
-	std::vector<Named<std::vector<Scene>>> choices;
-	for (const Named<Scene>& scene : scenes())
-		choices.push_back({scene.name, {scene.value}});
-	choices.push_back({"all", DemolisherSettings().scenes});
-	return choices;
+	static const std::vector<Named<std::vector<Scene>>> all = []
+	{
+		std::vector<Named<std::vector<Scene>>> choices;
+		for (const Named<Scene>& scene : scenes())
+			choices.push_back({scene.name, {scene.value}});
+		choices.push_back({"all", DemolisherSettings().scenes});
+		return choices;
+	}();
+	return all;
 }
 }  // namespace
 
