@@ -59,7 +59,7 @@ void ReplayScene::record(World& world, double time)
 	// What takes hours is played faster: of every two frames one goes.
 	if (m_frames.size() == MOST_FRAMES)
 	{
-		for (size_t i = 0; i < MOST_FRAMES / 2; ++i)
+		for (size_t i = 1; i < MOST_FRAMES / 2; ++i)
 			m_frames[i] = std::move(m_frames[2 * i]);
 		m_frames.resize(MOST_FRAMES / 2);
 		m_interval *= 2;
@@ -170,7 +170,12 @@ Drawing ReplayScene::draw() const
 
 btVector3 ReplayScene::centre() const { return shown((m_low + m_high) / 2); }
 
-btScalar ReplayScene::extent() const { return (m_high - m_low).length() * btScalar(1.3 * m_size); }
+/// A window is wider than high.
+btScalar ReplayScene::extent() const
+{
+	const btVector3 size = m_high - m_low;
+	return btMax(size.length(), btScalar(1.8) * size.y()) * btScalar(1.3 * m_size);
+}
 
 void ReplayScene::key(char key)
 {
