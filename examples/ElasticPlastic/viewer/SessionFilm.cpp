@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// The pictures and films that a viewer keeps.
+// The pictures and films that a session keeps.
 
 #include <cstdio>
 
