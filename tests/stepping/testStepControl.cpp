@@ -14,6 +14,7 @@
 #include "support/Precision.h"
 #include "problems/Problem.h"
 #include "world/Shorthand.h"
+#include "support/Run.h"
 
 namespace
 {
@@ -283,7 +284,7 @@ TEST(StepControl, SeesAKinematicRamComeToABodyThatIsJoined)
 	btRigidBody* const support = world.body(0, cube, at(3), false);
 	btRigidBody* const block = world.body(1000, cube, at(0));
 	btRigidBody* const ram = world.body(0, cube, at(-3));
-	ram->setCollisionFlags(ram->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+	makeKinematic(*ram);
 	btElasticPlasticCapacity capacity;
 	capacity.set(BT_EP_AXIAL, 1e6, 1e5);
 	world.joint(*block, *support, at(1.5), capacity);

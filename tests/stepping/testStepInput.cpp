@@ -9,6 +9,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
 #include "support/Precision.h"
 #include "world/Shorthand.h"
+#include "support/Run.h"
 
 namespace
 {
@@ -41,7 +42,7 @@ TEST(StepControl, KinematicBodiesGoEvenly)
 		btRigidBody* const piston = world.body(0, cube, btTransform::getIdentity());
 		btRigidBody* const block = world.body(10, cube, at(1.1));
 		btDefaultMotionState place;
-		piston->setCollisionFlags(piston->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+		makeKinematic(*piston);
 		piston->setMotionState(hasMotionState ? &place : nullptr);
 		btElasticPlasticStepControl control(0.01);
 		for (int i = 1; i <= 30; ++i)
