@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include <algorithm>
-#include <functional>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "BulletCollision/CollisionDispatch/btSimulationIslandManager.h"
@@ -172,20 +172,37 @@ void beam(World& world)
 	EXPECT_GT(yielded(world), 0);
 }
 
+/// Vectors of another width add in another order. Float rounds it away; double does not.
+int vectorWidth() { return btElasticPlastic::BlockFactor().getVectorWidth(); }
+
 struct Recorded
 {
 	const char* m_scene;
 	void (*m_run)(World&);
 	Solver m_solver;
-	uint64_t m_float, m_double;
+	uint64_t m_float;
+	uint64_t m_double2, m_double4, m_double8;  ///< by vectorWidth()
+
+	uint64_t hash() const
+	{
+		if (sizeof(btScalar) == sizeof(float))
+			return m_float;
+		return vectorWidth() == 8 ? m_double8 : vectorWidth() == 4 ? m_double4 : m_double2;
+	}
 };
 
+// clang-format off
 const Recorded RECORDS[] = {
-	{"chains", chains, Solver::Direct, 0, 0}, {"chains", chains, Solver::Iterative, 0, 0},
-	{"frame", frame, Solver::Direct, 0, 0},   {"frame", frame, Solver::Iterative, 0, 0},
-	{"wall", wall, Solver::Direct, 0, 0},     {"wall", wall, Solver::Iterative, 0, 0},
-	{"beam", beam, Solver::Direct, 0, 0},     {"beam", beam, Solver::Iterative, 0, 0},
+	{"chains", chains, Solver::Direct, 0x73b8f6de8b9a693f, 0xdccd55531ae14f34, 0x1c1487a8676e5de8, 0x1c1487a8676e5de8},
+	{"chains", chains, Solver::Iterative, 0x828779abb105ccad, 0x48c55c3ceb2c7dde, 0x48c55c3ceb2c7dde, 0x48c55c3ceb2c7dde},
+	{"frame", frame, Solver::Direct, 0x5455f2c6e3177a7f, 0xf2bca6d65a3e46d4, 0xbac3aca8e948b8a7, 0xbac3aca8e948b8a7},
+	{"frame", frame, Solver::Iterative, 0xa7b1dcc9bf09ab34, 0x3fd727b9049887c9, 0x3fd727b9049887c9, 0x3fd727b9049887c9},
+	{"wall", wall, Solver::Direct, 0xa4803239b640d83c, 0x4fa110c431704a60, 0x6030cc5e037072bd, 0xa46979d396354715},
+	{"wall", wall, Solver::Iterative, 0x199fe8afd972f8d7, 0x5369381fc397ccd0, 0x5369381fc397ccd0, 0x5369381fc397ccd0},
+	{"beam", beam, Solver::Direct, 0x1c9884d43ceb96a5, 0x1fac9a7ff0d155a5, 0xd6da96c35777f57f, 0xd6da96c35777f57f},
+	{"beam", beam, Solver::Iterative, 0x3fa47cd7b6f7972a, 0xec9f65b08aa93dfd, 0xec9f65b08aa93dfd, 0xec9f65b08aa93dfd},
 };
+// clang-format on
 
 void PrintTo(const Recorded& record, std::ostream* out) { *out << record.m_scene; }
 
@@ -207,12 +224,13 @@ class RecordedResults : public testing::TestWithParam<Recorded>
 
 TEST_P(RecordedResults, AreTheSame)
 {
-	const Recorded& record = GetParam();
-	const uint64_t recorded = sizeof(btScalar) == sizeof(float) ? record.m_float : record.m_double;
-	const uint64_t hash = hashOf(record);
-	EXPECT_EQ(recorded, hash) << std::hex << "The results of the scene '" << record.m_scene
-							  << "' are others than recorded: 0x" << hash << " in place of 0x" << recorded
-							  << ".\nIf that is intended, put the new values of both precisions into RECORDS in\n"
+#if !defined(__x86_64__)
+	GTEST_SKIP() << "Recorded on x86-64: others multiply and add in one.";
+#endif
+	const uint64_t recorded = GetParam().hash(), hash = hashOf(GetParam());
+	EXPECT_EQ(recorded, hash) << std::hex << "The results of this scene have changed: 0x" << hash << " in place of 0x"
+							  << recorded << " (double: vectors of " << vectorWidth()
+							  << ").\nIf that is intended, put the new values of both precisions into RECORDS in\n"
 							  << __FILE__ << "\nand say in docs/changes.md what has changed and why.";
 }
 
