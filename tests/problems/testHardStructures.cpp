@@ -123,7 +123,9 @@ TEST(HardStructures, OldFactorsAreAsExactAsNewOnes)
 	for (int fresh = 0; fresh < 2; ++fresh)
 	{
 		World world(Solver::Direct);
-		solverOf(world).getSystem().getLinearSolver().m_maxIterations = fresh ? 0 : 8;
+		btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
+		settings.m_maxIterations = fresh ? 0 : 8;
+		solverOf(world).setSettings(settings);
 		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
 		btRigidBody* wall = world.body(0, cube, at(-1, 0), false);
 		const int n = 14;
@@ -155,7 +157,9 @@ TEST(HardStructures, WithoutConvergenceIterationsTakeOver)
 {
 	// No Newton step allowed: as soon as a joint begins to yield, the search cannot end.
 	Cantilever cantilever{Cantilever::Settings()};
-	solverOf(cantilever.m_world).getSystem().m_maxNewtonSteps = 0;
+	btElasticPlasticSolverSettings solverSettings;
+	solverSettings.m_maxNewtonSteps = 0;
+	solverOf(cantilever.m_world).setSettings(solverSettings);
 	btElasticPlasticCapacity capacity = cantilever.m_root->getCapacity();
 	capacity.m_yield[BT_EP_BENDING_Z] = 500;
 	cantilever.m_root->setCapacity(capacity);
@@ -163,7 +167,7 @@ TEST(HardStructures, WithoutConvergenceIterationsTakeOver)
 	EXPECT_GT(statisticsOf(cantilever.m_world).m_fallbacks, 0);
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_newtonSteps);
 	// Back to normal, it is solved directly again.
-	solverOf(cantilever.m_world).getSystem().m_maxNewtonSteps = 200;
+	solverOf(cantilever.m_world).setSettings(btElasticPlasticSolverSettings());
 	solverOf(cantilever.m_world).resetStatistics();
 	run(cantilever.m_world, 60);
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_fallbacks);

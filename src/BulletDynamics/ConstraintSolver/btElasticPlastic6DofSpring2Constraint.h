@@ -11,17 +11,16 @@
 /// Those that setCapacity() gives a yield value are elastic-plastic; the others stay Bullet's (limits, motors, servos, springs,
 /// rotation order). Existing code changes the class name, calls setCapacity(), and registers the joint with a
 /// btElasticPlasticAction.
-ATTRIBUTE_ALIGNED16(class)
-btElasticPlastic6DofSpring2Constraint : public btElasticPlasticConstraint<btGeneric6DofSpring2Constraint>
+class alignas(16) btElasticPlastic6DofSpring2Constraint : public btElasticPlasticConstraint<btGeneric6DofSpring2Constraint>
 {
 public:
 	/// Joins two bodies, of which one may be static or kinematic.
 	/// \param frameInA, frameInB  the joint's frame in the bodies' coordinates, x along the member
-	btElasticPlastic6DofSpring2Constraint(btRigidBody & rbA, btRigidBody & rbB, const btTransform& frameInA,
+	btElasticPlastic6DofSpring2Constraint(btRigidBody& rbA, btRigidBody& rbB, const btTransform& frameInA,
 										  const btTransform& frameInB, RotateOrder rotOrder = RO_XYZ);
 
 	/// Joins a body to the world where it stands.
-	btElasticPlastic6DofSpring2Constraint(btRigidBody & rbB, const btTransform& frameInB,
+	btElasticPlastic6DofSpring2Constraint(btRigidBody& rbB, const btTransform& frameInB,
 										  RotateOrder rotOrder = RO_XYZ);
 
 protected:

@@ -5,25 +5,32 @@
 #define BT_ELASTIC_PLASTIC_ACTION_H
 
 #include "BulletDynamics/Dynamics/btActionInterface.h"
-#include "LinearMath/btAlignedObjectArray.h"
 #include "btElasticPlasticEvent.h"
 #include "btElasticPlasticJoint.h"
+#include "btElasticPlasticPrecision.h"
 
 class btDynamicsWorld;
 
-/// The bookkeeping of a world's elastic-plastic joints: one per world, added with btDynamicsWorld::addAction.
+namespace btElasticPlastic
+{
+class JointRegistry;
+}
+
+/// The registry of a world's elastic-plastic joints: one per world, added with btDynamicsWorld::addAction.
 /// Once per substep it commits every joint that was solved, takes broken ones out of the world, and reports events.
-/// A broken joint whose bodies overlap stays in the world without rows until they have parted, see btElasticPlasticParting.h.
+/// A broken joint whose bodies overlap stays in the world without rows until they have parted, so that they are not shot apart.
 ///
 /// It owns nothing. Joints may be deleted, removed from the world or from here, in any order, before the world; so may the action.
 /// As in Bullet, a body must not leave the world before its constraints do: removeBody() takes care of that.
 class btElasticPlasticAction : public btActionInterface
 {
 public:
-	btElasticPlasticAction() {}
+	btElasticPlasticAction(btElasticPlasticOwnPrecision = {});
 	~btElasticPlasticAction() override;
+	btElasticPlasticAction(const btElasticPlasticAction&) = delete;
+	btElasticPlasticAction& operator=(const btElasticPlasticAction&) = delete;
 
-	/// Takes a joint into the books; the world gets it, as ever, by btDynamicsWorld::addConstraint.
+	/// Takes a joint into the registry; the world gets it, as ever, by btDynamicsWorld::addConstraint.
 	/// A joint belongs to one action; adding it again does nothing, adding it to another one moves it there.
 	/// \return false if the joint is refused, see btElasticPlasticJoint::fault; the listener is told why.
 	bool addJoint(btElasticPlasticJoint* joint);
@@ -38,29 +45,21 @@ public:
 	/// \return false if the joint is not broken or not known here.
 	bool repair(btElasticPlasticJoint* joint);
 
-	int getNumJoints()
-	{
-		closeGaps();
-		return m_joints.size() + m_broken.size();
-	}
-	int getNumBroken() const { return m_broken.size(); }
+	int getNumJoints();
+	int getNumBroken() const;
 
 	/// Joints in the order they were added; broken ones come last, in the order they broke.
-	btElasticPlasticJoint* getJoint(int index)
-	{
-		closeGaps();
-		return index < m_joints.size() ? m_joints[index].m_joint : m_broken[index - m_joints.size()].m_joint;
-	}
+	btElasticPlasticJoint* getJoint(int index);
 
 	/// With a listener, events go to it and not to the queue. Null: back to the queue. It must outlive the action.
-	void setListener(btElasticPlasticListener* listener) { m_listener = listener; }
+	void setListener(btElasticPlasticListener* listener);
 
 	/// Takes the oldest event from the queue. \return false if there is none.
 	/// A joint makes at most two between repairs, so an unread queue stays bounded.
 	bool popEvent(btElasticPlasticEvent& event);
 
 	/// Sum of the substeps seen [s].
-	double getTime() const { return m_time; }
+	double getTime() const;
 
 	void updateAction(btCollisionWorld* world, btScalar timeStep) override;
 
@@ -68,29 +67,7 @@ public:
 	void debugDraw(btIDebugDraw* drawer) override;
 
 private:
-	struct Entry
-	{
-		btElasticPlasticJoint* m_joint;
-		btDynamicsWorld* m_world;  ///< a broken joint's world, else null
-		bool m_disableCollisions;  ///< between the joint's bodies, while it holds
-	};
-
-	void report(btElasticPlasticEventType type, btElasticPlasticJoint& joint);
-	bool removeBroken(btDynamicsWorld& world, btElasticPlasticJoint& joint);
-	void appendWhole(btElasticPlasticJoint* joint);
-	void closeGaps();
-	void endPartings();
-	void endParting(btElasticPlasticJoint& joint);
-	void deliver();
-
-	btAlignedObjectArray<Entry> m_joints;
-	btAlignedObjectArray<Entry> m_broken;
-	btAlignedObjectArray<btElasticPlasticEvent> m_events;  ///< read up to m_nextEvent; without a joint: forgotten
-	int m_nextEvent = 0;
-	btElasticPlasticListener* m_listener = nullptr;
-	double m_time = 0;
-	bool m_hasGaps = false;  ///< entries of m_joints without a joint
-	int m_parting = 0;       ///< broken joints whose bodies still overlap
+	btElasticPlastic::JointRegistry* const m_registry;
 };
 
 #endif  // BT_ELASTIC_PLASTIC_ACTION_H

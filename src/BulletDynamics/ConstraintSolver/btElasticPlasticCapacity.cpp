@@ -5,7 +5,7 @@
 
 #include "LinearMath/btMinMax.h"
 
-btElasticPlasticCapacity::btElasticPlasticCapacity()
+btElasticPlasticCapacity::btElasticPlasticCapacity(btElasticPlasticOwnPrecision)
 {
 	m_rigidPlastic = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -52,14 +52,9 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 				btElasticPlasticCheckPositive(linear ? "ductility [m]" : "ductility [rad]", m_ductility[i], i))
 			return f;
 		if (isElasticPlastic(i) && !isRigidPlastic(i) && !(m_stiffness[i] > 0))
-		{
-			btElasticPlasticFault f;
-			f.m_quantity = linear ? "stiffness [N/m]" : "stiffness [N m/rad]";
-			f.m_value = m_stiffness[i];
-			f.m_range = "greater than 0 where there is a yield value (or rigid-plastic, by setRigidPlastic)";
-			f.m_dof = i;
-			return f;
-		}
+			return btElasticPlasticFault(
+				linear ? "stiffness [N/m]" : "stiffness [N m/rad]", m_stiffness[i],
+				"greater than 0 where there is a yield value (or rigid-plastic, by setRigidPlastic)", i);
 	}
 	return btElasticPlasticFault();
 }

@@ -5,6 +5,7 @@
 #define BT_ELASTIC_PLASTIC_CAPACITY_H
 
 #include "btElasticPlasticMaterial.h"
+#include "btElasticPlasticPrecision.h"
 #include "btElasticPlasticSection.h"
 
 /// What a joint can bear in each of its six degrees of freedom (see btElasticPlasticDof): stiffness, yield, ductility.
@@ -23,7 +24,7 @@ struct btElasticPlasticCapacity
 	btElasticPlasticFault m_fault;          ///< of the material, section or length it was made from
 
 	/// Nothing is elastic-plastic, ductility unlimited.
-	btElasticPlasticCapacity();
+	btElasticPlasticCapacity(btElasticPlasticOwnPrecision = {});
 
 	/// Elastic-plastic in one degree of freedom, by hand.
 	/// stiffness > 0, yield > 0 (or unlimited()), ductility > 0 (or unlimited()).

@@ -26,23 +26,17 @@ public:
 
 	void buildJacobian() override
 	{
-		ensureFeedback();
-		holdOverlap();
+		buildElasticPlastic();
 		Base::buildJacobian();
 	}
 
 	void getInfo1(btTypedConstraint::btConstraintInfo1* info) override
 	{
 		info->m_numConstraintRows = info->nub = 0;
-		m_baseRows = 0;
-		const int rows = prepare();
-		if (fault() || isBroken())
-			return;
-		if (hasBaseDof() && isBaseActive())
-		{
+		const int rows = countElasticPlasticRows();
+		if (hasBaseRows())
 			Base::getInfo1(info);
-			m_baseRows = info->m_numConstraintRows;
-		}
+		m_baseRows = info->m_numConstraintRows;
 		info->m_numConstraintRows += rows;
 	}
 
@@ -50,13 +44,10 @@ public:
 	{
 		if (m_baseRows > 0)
 			Base::getInfo2(info);
-		writeRows(info, m_baseRows);
+		writeElasticPlasticRows(info, m_baseRows);
 	}
 
-	void solveConstraintObsolete(btSolverBody& bodyA, btSolverBody&, btScalar timeStep) override
-	{
-		answer(bodyA, timeStep);
-	}
+	void solveConstraintObsolete(btSolverBody& bodyA, btSolverBody&, btScalar) override { answer(bodyA); }
 
 protected:
 	template <class... Arguments>

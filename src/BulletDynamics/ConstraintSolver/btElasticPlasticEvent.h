@@ -17,8 +17,7 @@ enum btElasticPlasticEventType
 };
 
 /// An event, complete in itself but for the objects it points to; the bodies may be gone when it is read from the queue.
-ATTRIBUTE_ALIGNED16(struct)
-btElasticPlasticEvent
+struct alignas(16) btElasticPlasticEvent
 {
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
@@ -44,8 +43,10 @@ public:
 	virtual void onYield(const btElasticPlasticEvent&) {}
 	virtual void onBreak(const btElasticPlasticEvent&) {}
 
-	/// A joint was refused; text names it, the value and the valid range. Called from btElasticPlasticAction::addJoint.
-	/// The default prints the text to the standard error output.
+	/// A joint was refused; text names it, the value and the valid range. Called from btElasticPlasticAction::addJoint, from
+	/// btElasticPlasticJoint::setCapacity of a joint that the action knows, and, once a fault, while the world is stepped: leave
+	/// bodies and joints as they are here.
+	/// The default prints the text to the standard error output. So it is without a listener, and for joints that no action knows.
 	virtual void onRefused(btElasticPlasticJoint& joint, const char* text);
 };
 

@@ -25,26 +25,16 @@ void btElasticPlasticFault::print(char* text, int capacity) const
 		snprintf(text, capacity, "%s is %g; it must be %s", m_quantity, double(m_value), m_range);
 }
 
-static btElasticPlasticFault fault(const char* quantity, btScalar value, const char* range, int dof)
-{
-	btElasticPlasticFault f;
-	f.m_quantity = quantity;
-	f.m_value = value;
-	f.m_range = range;
-	f.m_dof = dof;
-	return f;
-}
-
 btElasticPlasticFault btElasticPlasticCheckPositive(const char* quantity, btScalar value, int dof)
 {
 	if (btElasticPlasticIsFinite(value) && value > 0)
 		return btElasticPlasticFault();
-	return fault(quantity, value, "finite and greater than 0", dof);
+	return btElasticPlasticFault(quantity, value, "finite and greater than 0", dof);
 }
 
 btElasticPlasticFault btElasticPlasticCheckNotNegative(const char* quantity, btScalar value, int dof)
 {
 	if (btElasticPlasticIsFinite(value) && value >= 0)
 		return btElasticPlasticFault();
-	return fault(quantity, value, "finite and not negative", dof);
+	return btElasticPlasticFault(quantity, value, "finite and not negative", dof);
 }

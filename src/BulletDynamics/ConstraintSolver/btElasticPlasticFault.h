@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "LinearMath/btScalar.h"
+#include "btElasticPlasticDof.h"
 
 /// What is wrong with an input: which quantity, its value, and what it may be.
 /// It travels with the data (section, capacity, joint), so that the place that refuses can name the place that erred.
@@ -17,26 +18,17 @@ struct btElasticPlasticFault
 	btScalar m_value = 0;              ///< the value that was given
 	int m_dof = -1;                    ///< degree of freedom it belongs to (0 to 5), -1: none
 
+	btElasticPlasticFault() {}
+	btElasticPlasticFault(const char* quantity, btScalar value, const char* range, int dof = -1)
+		: m_quantity(quantity), m_range(range), m_value(value), m_dof(dof)
+	{
+	}
+
 	explicit operator bool() const { return m_quantity != nullptr; }
 
 	/// Writes "quantity of degree of freedom d (name) is value; it must be range" to text, always terminated.
 	void print(char* text, int capacity) const;
 };
-
-/// Names of the six degrees of freedom in the joint's own frame; x runs along the member.
-enum btElasticPlasticDof
-{
-	BT_EP_AXIAL,      ///< translation along x
-	BT_EP_SHEAR_Y,    ///< translation along y, the direction of the section's height
-	BT_EP_SHEAR_Z,    ///< translation along z, the direction of the section's width
-	BT_EP_TORSION,    ///< rotation about x
-	BT_EP_BENDING_Y,  ///< rotation about y: bends in the direction of the width
-	BT_EP_BENDING_Z,  ///< rotation about z: bends in the direction of the height
-	BT_EP_DOF_COUNT
-};
-
-/// "axial", "shear y", ... "bending z"; "?" outside of 0 to 5.
-const char* btElasticPlasticDofName(int dof);
 
 /// True for numbers that are neither NaN nor infinite, whatever the compiler assumes of mathematics.
 inline bool btElasticPlasticIsFinite(double value)

@@ -13,20 +13,12 @@ btElasticPlasticFault btElasticPlasticMaterial::fault() const
 		return f;
 	if (btElasticPlasticFault f = btElasticPlasticCheckPositive("ultimate plastic strain", m_ultimatePlasticStrain))
 		return f;
-	btElasticPlasticFault f;
 	if (!(m_poissonsRatio > -1 && m_poissonsRatio <= btScalar(0.5)))
-	{
-		f.m_quantity = "Poisson's ratio";
-		f.m_value = m_poissonsRatio;
-		f.m_range = "greater than -1 and at most 0.5";
-	}
-	else if (!(m_loadBearingShare > 0 && m_loadBearingShare <= 1))
-	{
-		f.m_quantity = "load-bearing share of the section";
-		f.m_value = m_loadBearingShare;
-		f.m_range = "greater than 0 and at most 1";
-	}
-	return f;
+		return btElasticPlasticFault("Poisson's ratio", m_poissonsRatio, "greater than -1 and at most 0.5");
+	if (!(m_loadBearingShare > 0 && m_loadBearingShare <= 1))
+		return btElasticPlasticFault("load-bearing share of the section", m_loadBearingShare,
+									 "greater than 0 and at most 1");
+	return btElasticPlasticFault();
 }
 
 btElasticPlasticMaterial btElasticPlasticMaterial::steel(btScalar yieldStress)

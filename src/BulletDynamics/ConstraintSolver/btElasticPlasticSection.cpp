@@ -48,9 +48,7 @@ bool isBelow(btElasticPlasticSection& section, const char* quantity, btScalar va
 		return false;
 	if (value < limit)
 		return true;
-	section.m_fault.m_quantity = quantity;
-	section.m_fault.m_value = value;
-	section.m_fault.m_range = range;
+	section.m_fault = btElasticPlasticFault(quantity, value, range);
 	return false;
 }
 

@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#ifndef BT_ELASTIC_PLASTIC_PROFILE_H
-#define BT_ELASTIC_PLASTIC_PROFILE_H
+#ifndef BT_ELASTIC_PLASTIC_STEPPER_H
+#define BT_ELASTIC_PLASTIC_STEPPER_H
 
 #include <string>
 
 #include "btElasticPlasticConstraintSolver.h"
 #include "btElasticPlasticStepControl.h"
 
-/// Looks at a world and an error that is allowed, leaves out what this scene does not need, and says why.
+/// Steps a world to an error that is allowed: looks at it, leaves out what this scene does not need, and says why.
 ///
-///     btElasticPlasticStepper profile(world, action, &solver, 0.01, 1. / 60);
-///     puts(profile.getText());
-///     ... each frame: profile.step();
+///     btElasticPlasticStepper stepper(world, action, &solver, 0.01, 1. / 60);
+///     puts(stepper.getText());
+///     ... each frame: stepper.step();
 ///
 /// What is left out comes back when the running scene needs it: substeps when something is about to yield or to be hit. What
 /// stays is told with its price, as measured (docs/performance.md).
@@ -38,14 +38,6 @@ public:
 	btElasticPlasticStepControl& getControl() { return m_control; }
 
 private:
-	struct Sight;
-
-	Sight look() const;
-	void tell(const char* format, ...);
-	void tellMistakes(const Sight& sight, const btElasticPlasticConstraintSolver* solver);
-	void tellSolver(const Sight& sight, btElasticPlasticConstraintSolver* solver);
-	void tellRest(const Sight& sight);
-
 	btDynamicsWorld& m_world;
 	btElasticPlasticAction& m_action;
 	btElasticPlasticStepControl m_control;
@@ -53,4 +45,4 @@ private:
 	std::string m_text;
 };
 
-#endif  // BT_ELASTIC_PLASTIC_PROFILE_H
+#endif  // BT_ELASTIC_PLASTIC_STEPPER_H

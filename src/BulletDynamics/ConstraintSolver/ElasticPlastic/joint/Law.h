@@ -123,30 +123,6 @@ inline SoftRow rigidRow(btScalar yield, btScalar strain, btScalar erp, btScalar 
 	return row;
 }
 
-/// The paper's own row, kept as a baseline; two forms, as the paper has two classes.
-/// Motor (first class, Table IX): a velocity constraint capped at the spring's force, so it only ever brakes;
-/// the first step from rest is free.
-inline SoftRow paperMotorRow(const DofState& s, btScalar dt)
-{
-	SoftRow row;
-	row.m_upper = dt * btMin(s.m_yield, s.m_stiffness * btFabs(s.m_strain));
-	row.m_lower = -row.m_upper;
-	return row;
-}
-
-/// Spring (second class, Table X): equation 16 asks whether sqrt(k / m_min) dt > 0.25. If so, a velocity constraint capped at
-/// yield without positional error; if not, the explicit spring. inverseMass = 1 / m_min of the lighter body (or inertia).
-inline SoftRow paperSpringRow(const DofState& s, btScalar inverseMass,
-														  btScalar dt)
-{
-	if (s.m_stiffness * inverseMass * dt * dt <= btScalar(0.0625))
-		return explicitRow(clampedForce(s), dt);
-	SoftRow row;
-	row.m_upper = dt * s.m_yield;
-	row.m_lower = -row.m_upper;
-	return row;
-}
-
 /// Outcome of the return mapping.
 struct ReturnMapping
 {
@@ -154,14 +130,26 @@ struct ReturnMapping
 	btScalar m_increment;  ///< of plastic deformation
 };
 
-/// Is the row's impulse at the bound at which it pulls back in direction sign (+1 or -1)?
-/// 1e-3 of the bounds' distance is what an iterative solver may leave.
-inline bool isAtBound(btScalar impulse, btScalar lower, btScalar upper, btScalar sign,
-									btScalar yieldImpulse)
+/// What a solver has made of a row.
+struct RowOutcome
 {
-	const btScalar slack = btScalar(1e-3) * yieldImpulse;
-	return sign > 0 ? impulse >= upper - slack : impulse <= lower + slack;
-}
+	btScalar m_impulse;
+	btScalar m_lower;  ///< bounds that the row was given
+	btScalar m_upper;
+	btScalar m_trial;      ///< deformation if the whole step was elastic: e* = e_n - dt J v1
+	signed char m_bound;   ///< -1 at the lower, 1 at the upper bound, 0 between
+	bool m_isBoundKnown;   ///< whether the solver told m_bound: a direct one does
+
+	/// Is the impulse at the bound at which it pulls back against the trial deformation? A direct solver knows; an iterative
+	/// one may leave a thousandth of the yield impulse.
+	bool isAtBound(btScalar yieldImpulse) const
+	{
+		if (m_isBoundKnown)
+			return m_trial > 0 ? m_bound > 0 : m_bound < 0;
+		const btScalar slack = btScalar(1e-3) * yieldImpulse;
+		return m_trial > 0 ? m_impulse >= m_upper - slack : m_impulse <= m_lower + slack;
+	}
+};
 
 /// Return mapping of the trial deformation e* = e_n - dt J v1.
 /// atBound: whether the row's impulse sits at its bound in the direction of e*. Without that, a force beyond yield is what the
@@ -185,6 +173,25 @@ inline ReturnMapping rigidReturnMap(btScalar impulse, btScalar strain, bool atBo
 	r.m_increment = atBound ? strain : btScalar(0);
 	return r;
 }
+
+/// The default law: an elastic-perfectly plastic spring, implicit.
+struct ImplicitLaw
+{
+	bool m_isForStock;  ///< the row is for one of Bullet's own solvers
+
+	SoftRow row(const DofState& s, btScalar diagonal, btScalar dt) const
+	{
+		return m_isForStock ? stockRow(s, diagonal, dt) : implicitRow(s, diagonal, dt);
+	}
+
+	/// Of the trial deformation: what it is beyond yield is plastic, if the solver has held the row at its bound.
+	ReturnMapping returnMap(const DofState& s, const RowOutcome& outcome, btScalar dt) const
+	{
+		const bool isBeyond = btFabs(s.m_stiffness * outcome.m_trial) > s.m_yield;
+		return btElasticPlastic::returnMap(s.m_stiffness, s.m_yield, outcome.m_trial,
+										   isBeyond && outcome.isAtBound(s.m_yield * dt));
+	}
+};
 }  // namespace btElasticPlastic
 
 #endif  // BT_ELASTIC_PLASTIC_LAW_H

@@ -6,12 +6,17 @@
 #include "BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h"
 #include "BulletCollision/BroadphaseCollision/btOverlappingPairCache.h"
 #include "BulletCollision/CollisionDispatch/btCollisionWorld.h"
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
 {
 namespace
 {
+/// Overlaps up to this do not count [m].
+const btScalar SLOP = btScalar(1e-4);
+
 struct Deepest : btCollisionWorld::ContactResultCallback
 {
 	btScalar m_depth = 0;
@@ -23,8 +28,8 @@ struct Deepest : btCollisionWorld::ContactResultCallback
 		return 0;
 	}
 };
-}  // namespace
 
+/// How deep the bodies' shapes overlap now [m], 0 if they do not.
 btScalar overlapOf(btCollisionWorld& world, btRigidBody& a, btRigidBody& b)
 {
 	if (!a.getBroadphaseHandle() || !b.getBroadphaseHandle())
@@ -34,6 +39,8 @@ btScalar overlapOf(btCollisionWorld& world, btRigidBody& a, btRigidBody& b)
 	return deepest.m_depth;
 }
 
+/// Sets the penetration of the bodies' contact points to zero, after collision detection and before contacts become rows.
+/// \return the deepest penetration it found [m]
 btScalar suspendRecovery(btCollisionWorld& world, btRigidBody& a, btRigidBody& b)
 {
 	btScalar depth = 0;
@@ -52,5 +59,32 @@ btScalar suspendRecovery(btCollisionWorld& world, btRigidBody& a, btRigidBody& b
 			point.setDistance(btMax(point.getDistance(), btScalar(0)));
 		}
 	return depth;
+}
+}  // namespace
+
+bool Separation::begin(btDynamicsWorld& world, btTypedConstraint& constraint)
+{
+	if (overlapOf(world, constraint.getRigidBodyA(), constraint.getRigidBodyB()) <= SLOP)
+		return false;
+	world.addConstraint(&constraint, false);
+	m_world = &world;
+	// Nobody has looked yet.
+	m_overlap = SIMD_INFINITY;
+	return true;
+}
+
+void Separation::end(btTypedConstraint& constraint)
+{
+	if (m_world)
+		m_world->removeConstraint(&constraint);
+	m_world = nullptr;
+}
+
+bool Separation::isDone() const { return m_overlap <= SLOP; }
+
+void Separation::holdOverlap(btTypedConstraint& constraint)
+{
+	if (m_world)
+		m_overlap = suspendRecovery(*m_world, constraint.getRigidBodyA(), constraint.getRigidBodyB());
 }
 }  // namespace btElasticPlastic

@@ -7,24 +7,40 @@
 #include "LinearMath/btScalar.h"
 
 class btCollisionWorld;
+class btDynamicsWorld;
 class btRigidBody;
+class btTypedConstraint;
 
 namespace btElasticPlastic
 {
+/// The time from a joint's break until its bodies have parted.
+///
+/// Two bodies whose joint has broken collide again, but they may overlap: a bent joint has pushed their corners into each other.
+/// Bullet would shoot them apart, with energy from nowhere. Until they have parted, their contacts therefore stop what would
+/// deepen the overlap, and do not push. The broken constraint stays in the world for it, without rows: it is called between
+/// collision detection and solver.
+class Separation
+{
+public:
+	/// Begins if the bodies overlap now: puts the constraint, which has just left the world, back into it without keeping its
+	/// bodies from colliding. \return whether it has begun
+	bool begin(btDynamicsWorld& world, btTypedConstraint& constraint);
 
-// Two bodies whose joint has broken collide again, but they may overlap: a bent joint has pushed their corners into each other.
-// Bullet would shoot them apart, with energy from nowhere. Until they have parted, their contacts therefore stop what would
-// deepen the overlap, and do not push.
+	/// Takes the constraint out of the world.
+	void end(btTypedConstraint& constraint);
 
-/// Overlaps up to this do not count [m].
-const btScalar SEPARATION_SLOP = btScalar(1e-4);
+	bool isUnderWay() const { return m_world != nullptr; }
 
-/// How deep the bodies' shapes overlap now [m], 0 if they do not.
-btScalar overlapOf(btCollisionWorld& world, btRigidBody& a, btRigidBody& b);
+	/// Have the bodies parted, as of the last step?
+	bool isDone() const;
 
-/// Sets the penetration of the bodies' contact points to zero for the step that is being set up, after collision detection and
-/// before contacts become rows. \return the deepest penetration it found [m]
-btScalar suspendRecovery(btCollisionWorld& world, btRigidBody& a, btRigidBody& b);
+	/// Takes the penetration of the bodies' contact points for zero in the step that is being set up.
+	void holdOverlap(btTypedConstraint& constraint);
+
+private:
+	btDynamicsWorld* m_world = nullptr;  ///< while it is under way
+	btScalar m_overlap = 0;              ///< of the bodies in the last step [m]
+};
 }  // namespace btElasticPlastic
 
 #endif  // BT_ELASTIC_PLASTIC_SEPARATION_H

@@ -33,16 +33,16 @@ bool isWorthKeeping(const BlockFactor& factor)
 }
 }  // namespace
 
-void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int ticket)
+void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islandId)
 {
-	const ScopedTimer lap("elastic-plastic analyse", m_statistics.m_analysisTime);
+	const ScopedTimer timer("elastic-plastic analyse", m_statistics.m_analysisTime);
 	const size_t hash = hashOf(numBodies, edges);
 	m_plan = nullptr;
 	const auto range = m_plans.equal_range(hash);
 	for (auto i = range.first; i != range.second; ++i)
 	{
 		Plan& plan = *i->second;
-		if ((plan.m_ticket == 0 || plan.m_ticket == ticket) && plan.m_numBodies == numBodies && plan.m_edges == edges)
+		if ((plan.m_islandId == 0 || plan.m_islandId == islandId) && plan.m_numBodies == numBodies && plan.m_edges == edges)
 			m_plan = &plan;
 	}
 	if (!m_plan)
@@ -53,12 +53,23 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int ticke
 		m_plan->m_matrix.setPattern(numBodies, reinterpret_cast<const int(*)[2]>(edges.data()), int(edges.size() / 2));
 		m_plan->m_factor.analyse(m_plan->m_matrix);
 		if (isWorthKeeping(m_plan->m_factor))
-			m_plan->m_ticket = ++m_lastTicket;
+			m_plan->m_islandId = ++m_lastIslandId;
 		++m_statistics.m_analyses;
 	}
 	// What has slept is solved afresh: whether its plan is still there depends on others.
 	m_factorState = m_plan->m_lastUse + 1 >= m_step ? OLD : NONE;
 	m_plan->m_lastUse = m_step;
+}
+
+void LinearSolver::setSettings(const btElasticPlasticSolverSettings& settings)
+{
+	if (settings.m_maxVectorWidth != m_settings.m_maxVectorWidth)
+	{
+		// Plans are made for a width.
+		m_plans.clear();
+		m_plan = nullptr;
+	}
+	m_settings = settings;
 }
 
 LinearSolver::Plan& LinearSolver::newPlan(size_t hash)
@@ -67,7 +78,9 @@ LinearSolver::Plan& LinearSolver::newPlan(size_t hash)
 		i = i->second->m_lastUse < m_step - KEPT_STEPS ? m_plans.erase(i) : std::next(i);
 	if (m_step == 0 && m_plans.size() >= KEPT_PLANS)
 		m_plans.clear();
-	return *m_plans.emplace(hash, std::unique_ptr<Plan>(new Plan))->second;
+	Plan& plan = *m_plans.emplace(hash, std::unique_ptr<Plan>(new Plan))->second;
+	plan.m_factor.setMaxVectorWidth(m_settings.m_maxVectorWidth);
+	return plan;
 }
 
 void LinearSolver::setAssembled(const std::vector<int>& changedBodies)
@@ -82,7 +95,7 @@ void LinearSolver::setAssembled(const std::vector<int>& changedBodies)
 
 bool LinearSolver::factorise()
 {
-	const ScopedTimer lap("elastic-plastic factorise", m_statistics.m_factorisationTime);
+	const ScopedTimer timer("elastic-plastic factorise", m_statistics.m_factorisationTime);
 	++m_statistics.m_factorisations;
 	BlockFactor& factor = m_plan->m_factor;
 	bool done;
@@ -99,7 +112,7 @@ bool LinearSolver::factorise()
 
 bool LinearSolver::solve(std::vector<double>& x)
 {
-	if (m_factorState == OLD && m_plan->m_ticket && m_plan->m_factor.hasFactor() && m_maxIterations > 0)
+	if (m_factorState == OLD && m_plan->m_islandId && m_plan->m_factor.hasFactor() && m_settings.m_maxIterations > 0)
 	{
 		if (m_plan->m_patience > 0)
 			--m_plan->m_patience;
@@ -110,7 +123,7 @@ bool LinearSolver::solve(std::vector<double>& x)
 	}
 	if (m_factorState != CURRENT && !factorise())
 		return false;
-	const ScopedTimer lap("elastic-plastic solve", m_statistics.m_solutionTime);
+	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime);
 	m_plan->m_factor.solve(x.data());
 	++m_statistics.m_solutions;
 	return true;
@@ -130,11 +143,11 @@ double dot(const std::vector<double>& x, const std::vector<double>& y)
 /// Conjugate gradients, preconditioned with a factor that H has left behind a little. Leaves x as it was if it takes too long.
 bool LinearSolver::iterate(std::vector<double>& x)
 {
-	const ScopedTimer lap("elastic-plastic solve", m_statistics.m_solutionTime);
+	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime);
 	const BlockMatrix& matrix = m_plan->m_matrix;
 	const BlockFactor& factor = m_plan->m_factor;
 	const size_t n = x.size();
-	const double enough = m_tolerance * m_tolerance * dot(x, x);
+	const double enough = m_settings.m_iterationTolerance * m_settings.m_iterationTolerance * dot(x, x);
 	m_rest = x;
 	m_product.resize(n);
 	m_preconditioned = m_rest;
@@ -143,7 +156,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 	m_search = m_preconditioned;
 	m_solution.assign(n, 0.);
 	double rz = dot(m_rest, m_preconditioned), before = dot(x, x);
-	for (int i = 0; i < m_maxIterations; ++i)
+	for (int i = 0; i < m_settings.m_maxIterations; ++i)
 	{
 		matrix.multiply(m_search.data(), m_product.data());
 		++m_statistics.m_iterations;
@@ -161,7 +174,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 			return true;
 		}
 		// Give up when the way is too long: each iteration gains about what the last one did.
-		if (!(rest < before) || pow(rest / before, m_maxIterations - 1 - i) * rest > enough)
+		if (!(rest < before) || pow(rest / before, m_settings.m_maxIterations - 1 - i) * rest > enough)
 			return false;
 		before = rest;
 		m_preconditioned = m_rest;

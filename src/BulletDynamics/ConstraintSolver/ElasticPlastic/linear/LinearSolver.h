@@ -10,7 +10,8 @@
 
 #include "BlockFactor.h"
 #include "BlockMatrix.h"
-#include "BulletDynamics/ConstraintSolver/btElasticPlasticStatistics.h"
+#include "../../btElasticPlasticSolverSettings.h"
+#include "../../btElasticPlasticStatistics.h"
 
 namespace btElasticPlastic
 {
@@ -30,12 +31,12 @@ public:
 
 	/// Begins a problem, with a matrix of zeros on its graph.
 	/// \param edges   two bodies each; repetitions and directions make no difference to the matrix
-	/// \param ticket  of the island, see getTicket(); 0: has none
-	void begin(int numBodies, const std::vector<int>& edges, int ticket);
+	/// \param islandId  of the island, see getIslandId(); 0: has none
+	void begin(int numBodies, const std::vector<int>& edges, int islandId);
 
 	/// To be given to begin() when the same island comes back, so that it gets its own factor again, not that of an island
 	/// with the same graph: what it is solved with must not depend on its neighbours. 0 if no factor is kept.
-	int getTicket() const { return m_plan->m_ticket; }
+	int getIslandId() const { return m_plan->m_islandId; }
 
 	BlockMatrix& getMatrix() { return m_plan->m_matrix; }
 
@@ -50,15 +51,7 @@ public:
 	/// linear solver gives the same bits.
 	static bool mayKeepFactor(int numBodies) { return numBodies > 100; }
 
-	void copySettings(const LinearSolver& other)
-	{
-		m_maxIterations = other.m_maxIterations;
-		m_tolerance = other.m_tolerance;
-	}
-
-	/// A kept factor is used while so few iterations with it are enough. 0: never
-	int m_maxIterations = 8;
-	double m_tolerance = 1e-11;  ///< of the iterations' residual, relative to b
+	void setSettings(const btElasticPlasticSolverSettings& settings);
 
 private:
 	struct Plan
@@ -67,7 +60,7 @@ private:
 		std::vector<int> m_edges;
 		BlockMatrix m_matrix;
 		BlockFactor m_factor;
-		int m_ticket = 0;
+		int m_islandId = 0;
 		int m_patience = 0;  // solutions for which iterating with an old factor is not tried again
 		long long m_lastUse = 0;
 	};
@@ -85,11 +78,12 @@ private:
 	bool factorise();
 	bool iterate(std::vector<double>& x);
 
+	btElasticPlasticSolverSettings m_settings;
 	btElasticPlasticStatistics& m_statistics;
 	std::unordered_multimap<size_t, std::unique_ptr<Plan>> m_plans;  // by their graphs' hash
 	Plan* m_plan = nullptr;
 	long long m_step = 0;
-	int m_lastTicket = 0;
+	int m_lastIslandId = 0;
 	FactorState m_factorState = NONE;
 	std::vector<int> m_changed;  // bodies
 	std::vector<double> m_solution, m_search, m_product, m_preconditioned, m_rest;

@@ -7,7 +7,8 @@
 
 #include "BulletCollision/BroadphaseCollision/btBroadphaseProxy.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
-#include "BulletDynamics/ConstraintSolver/btElasticPlasticJoint.h"
+#include "../joint/JointWorks.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
 {
@@ -133,7 +134,7 @@ void Islands::split(const SolverGroup& group)
 	{
 		const btTypedConstraint& constraint = *group.m_constraints[i];
 		m_constraints.m_keys.push_back(key(constraint.getRigidBodyA(), constraint.getRigidBodyB(),
-										   group.m_joints[i] ? group.m_joints[i]->getEntry() : -1, i));
+										   group.m_joints[i] ? group.m_joints[i]->m_entry.m_index : -1, i));
 	}
 	m_constraints.sort(group.m_constraints, getNumIslands());
 	for (int i = 0; i < group.m_numBodies; ++i)

@@ -8,23 +8,23 @@
 #include <vector>
 
 class btCollisionObject;
-class btElasticPlasticJoint;
 class btPersistentManifold;
 class btTypedConstraint;
 
 namespace btElasticPlastic
 {
+class JointWorks;
 
 /// What a solver is given at a time: several islands, as Bullet joins small ones to batches.
 struct SolverGroup
 {
-	btCollisionObject** m_bodies;
-	int m_numBodies;
-	btPersistentManifold** m_manifolds;
-	int m_numManifolds;
-	btTypedConstraint** m_constraints;
-	int m_numConstraints;
-	btElasticPlasticJoint** m_joints;  ///< per constraint, null if it is not elastic-plastic
+	btCollisionObject** m_bodies = nullptr;
+	int m_numBodies = 0;
+	btPersistentManifold** m_manifolds = nullptr;
+	int m_numManifolds = 0;
+	btTypedConstraint** m_constraints = nullptr;
+	int m_numConstraints = 0;
+	JointWorks** m_joints = nullptr;  ///< per constraint, null if it is not elastic-plastic
 };
 
 /// Takes a group apart: each island with elastic-plastic joints by itself, all others together.
@@ -78,7 +78,7 @@ private:
 	Sorted<btCollisionObject> m_bodies;
 	Sorted<btPersistentManifold> m_manifolds;
 	Sorted<btTypedConstraint> m_constraints;
-	std::vector<btElasticPlasticJoint*> m_joints;  // per constraint as sorted
+	std::vector<JointWorks*> m_joints;  // per constraint as sorted
 };
 }  // namespace btElasticPlastic
 

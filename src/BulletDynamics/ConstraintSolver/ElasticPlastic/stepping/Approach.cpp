@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include "Flights.h"
+#include "Approach.h"
 
-#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
-#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btAabbUtil2.h"
@@ -13,14 +11,15 @@ namespace btElasticPlastic
 {
 namespace
 {
-struct ApproachQuery : btBroadphaseAabbCallback
+/// Asks the broadphase what is on a body's way.
+struct Query : btBroadphaseAabbCallback
 {
 	btDynamicsWorld& m_world;
 	const BodyMarks& m_joined;
 	btRigidBody* m_body = nullptr;
 	Approach m_result;
 
-	ApproachQuery(btDynamicsWorld& world, const BodyMarks& joined) : m_world(world), m_joined(joined) {}
+	Query(btDynamicsWorld& world, const BodyMarks& joined) : m_world(world), m_joined(joined) {}
 
 	static btScalar leastEdge(const btBroadphaseProxy& proxy)
 	{
@@ -61,51 +60,16 @@ struct ApproachQuery : btBroadphaseAabbCallback
 };
 }  // namespace
 
-Approach lookAhead(btDynamicsWorld& world, const BodyMarks& joined,
-												   btScalar dt)
+Approach lookAhead(btDynamicsWorld& world, const BodyMarks& joined, btScalar dt)
 {
-	ApproachQuery approach(world, joined);
+	Query query(world, joined);
 	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
 	for (int i = 0; i < objects.size(); ++i)
 	{
 		btRigidBody* const body = btRigidBody::upcast(objects[i]);
 		if (body && (body->getInvMass() > 0 || body->isKinematicObject()) && body->isActive())
-			approach.look(*body, dt);
+			query.look(*body, dt);
 	}
-	return approach.m_result;
-}
-
-/// Which of the world's bodies have constraints or contacts.
-static BodyMarks findHeld(btDynamicsWorld& world)
-{
-	BodyMarks held;
-	held.clear(world.getNumCollisionObjects());
-	for (int i = 0; i < world.getNumConstraints(); ++i)
-	{
-		held.mark(world.getConstraint(i)->getRigidBodyA());
-		held.mark(world.getConstraint(i)->getRigidBodyB());
-	}
-	btDispatcher& dispatcher = *world.getDispatcher();
-	for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
-	{
-		const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-		if (manifold.getNumContacts() == 0)
-			continue;
-		held.mark(*manifold.getBody0());
-		held.mark(*manifold.getBody1());
-	}
-	return held;
-}
-
-void keepFreeFlight(btDynamicsWorld& world, btScalar later)
-{
-	const BodyMarks held = findHeld(world);
-	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
-	for (int i = 0; i < objects.size(); ++i)
-	{
-		btRigidBody* const body = btRigidBody::upcast(objects[i]);
-		if (body && body->getInvMass() > 0 && body->isActive() && !held.isMarked(*body))
-			body->setLinearVelocity(body->getLinearVelocity() + body->getGravity() * body->getLinearFactor() * later);
-	}
+	return query.m_result;
 }
 }  // namespace btElasticPlastic

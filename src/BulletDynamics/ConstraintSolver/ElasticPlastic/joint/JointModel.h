@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_JOINT_MODEL_H
+#define BT_ELASTIC_PLASTIC_JOINT_MODEL_H
+
+#include "../../btElasticPlasticCapacity.h"
+#include "../../btElasticPlasticState.h"
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+#include "Kinematics.h"
+
+namespace btElasticPlastic
+{
+/// What a joint is between steps: two bodies and their frames, what they bear, and what has become of it.
+struct JointModel
+{
+	btTypedConstraint& m_constraint;
+	const btTransform& m_frameInA;
+	const btTransform& m_frameInB;
+	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
+	bool m_isPaper = false;
+	bool m_hasReference = false;  ///< has had a valid capacity
+	btElasticPlasticFault m_fault;
+	btElasticPlasticState m_state;
+	btElasticPlasticCapacity m_capacity;
+
+	JointModel(btTypedConstraint& constraint, const btTransform& frameInA, const btTransform& frameInB)
+		: m_constraint(constraint), m_frameInA(frameInA), m_frameInB(frameInB)
+	{
+	}
+
+	btRigidBody& bodyA() const { return m_constraint.getRigidBodyA(); }
+	btRigidBody& bodyB() const { return m_constraint.getRigidBodyB(); }
+	bool isElasticPlastic(int dof) const { return (m_dofs >> dof & 1u) != 0; }
+	bool isElasticPlasticThroughout() const { return m_dofs == (1u << BT_EP_DOF_COUNT) - 1; }
+
+	/// The joint's frame on each body, world coordinates.
+	btTransform frameA() const;
+	btTransform frameB() const;
+
+	/// Axes, arms and elastic deformation at the bodies' present transforms.
+	void measure(Kinematics& kinematics) const;
+
+	/// What keeps the joint out of the simulation: a fault of its capacity or its bodies.
+	btElasticPlasticFault findFault() const;
+
+	/// Makes the degrees of freedom that the capacity has elastic-plastic, and the pose the reference of those that are so for
+	/// the first time since they were free.
+	void takeCapacity();
+
+	/// Makes the bodies' present pose the one without force, keeping plastic deformation as it is counted.
+	void setReferenceToCurrentPose();
+
+	/// Turns the plastic rotation so that the elastic rotation that is measured at the present pose loses the increment.
+	/// \param increment  of all degrees of freedom, of which the rotations are used
+	void turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
+
+	btScalar elasticDeformation(int dof) const
+	{
+		return m_capacity.m_stiffness[dof] > 0 ? m_state.m_force[dof] / m_capacity.m_stiffness[dof] : btScalar(0);
+	}
+
+	/// Share of the ductility that is spent, the sum over the degrees of freedom (Miner's rule).
+	btScalar damage() const
+	{
+		btScalar sum = 0;
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			sum += damage(i);
+		return sum;
+	}
+	btScalar damage(int dof) const { return m_state.m_plasticPath[dof] / m_capacity.m_ductility[dof]; }
+
+private:
+	RelativeRotation relativeRotation() const;
+	void takeRoundingAsReference();
+	void takePoseAsReference(unsigned dofs);
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_JOINT_MODEL_H

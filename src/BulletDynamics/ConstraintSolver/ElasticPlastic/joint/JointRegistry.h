@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_JOINT_REGISTRY_H
+#define BT_ELASTIC_PLASTIC_JOINT_REGISTRY_H
+
+#include <mutex>
+
+#include "../../btElasticPlasticEvent.h"
+#include "LinearMath/btAlignedObjectArray.h"
+
+class btDynamicsWorld;
+class btRigidBody;
+
+namespace btElasticPlastic
+{
+class JointWorks;
+
+/// What stands behind a btElasticPlasticAction: the joints of a world, which of them are broken, and what is to be told of them.
+/// It owns nothing.
+class JointRegistry
+{
+public:
+	JointRegistry() {}
+	~JointRegistry();
+	JointRegistry(const JointRegistry&) = delete;
+	JointRegistry& operator=(const JointRegistry&) = delete;
+
+	bool add(JointWorks& joint);
+	void remove(JointWorks& joint);
+	void removeBody(btDynamicsWorld& world, btRigidBody& body);
+	bool repair(JointWorks& joint);
+
+	int getNumJoints();
+	int getNumBroken() const { return m_broken.size(); }
+	JointWorks& getJoint(int index);
+
+	void setListener(btElasticPlasticListener* listener) { m_listener = listener; }
+	bool popEvent(btElasticPlasticEvent& event);
+	double getTime() const { return m_time; }
+
+	/// Tells the listener that a joint was refused; without one, the standard error output.
+	void refuse(btElasticPlasticJoint& joint, const char* text);
+
+	/// Ends a substep: commits every joint, takes broken ones out of the world, and tells of events.
+	void commit(btDynamicsWorld& world, btScalar timeStep);
+
+private:
+	struct Entry
+	{
+		JointWorks* m_joint;
+		btDynamicsWorld* m_world;  ///< a broken joint's world, else null
+		bool m_disableCollisions;  ///< between the joint's bodies, while it holds
+	};
+
+	void append(JointWorks& joint);
+	void commitJoints();
+	void removeBrokenFromWorld(btDynamicsWorld& world, int firstBroken);
+	bool removeFromWorld(btDynamicsWorld& world, JointWorks& joint);
+	void endSeparations();
+	void endSeparation(JointWorks& joint);
+	void report(btElasticPlasticEventType type, const JointWorks& joint);
+	void deliver();
+	void closeGaps();
+
+	btAlignedObjectArray<Entry> m_joints;
+	btAlignedObjectArray<Entry> m_broken;
+	btAlignedObjectArray<btElasticPlasticEvent> m_events;  ///< read up to m_nextEvent; without a joint: forgotten
+	int m_nextEvent = 0;
+	btElasticPlasticListener* m_listener = nullptr;
+	std::recursive_mutex m_refusal;  ///< the threads of a solver refuse joints too
+	double m_time = 0;
+	bool m_hasGaps = false;    ///< entries of m_joints without a joint
+	int m_numSeparations = 0;  ///< broken joints whose bodies still overlap
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_JOINT_REGISTRY_H

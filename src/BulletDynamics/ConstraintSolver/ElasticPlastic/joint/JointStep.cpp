@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "JointStep.h"
+
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+Diagonal::Diagonal(const btRigidBody& a, const btRigidBody& b)
+	: m_a(a.getInvInertiaTensorWorld()),
+	  m_b(b.getInvInertiaTensorWorld()),
+	  m_both(m_a + m_b),
+	  m_inverseMass(a.getInvMass() + b.getInvMass())
+{
+}
+
+void JointStep::project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const
+{
+	for (int i = 0; i < 3; ++i)
+	{
+		onAxes[i] = m_kinematics.m_axis[i].dot(linear);
+		onAxes[3 + i] = m_kinematics.m_axis[i].dot(angular);
+	}
+}
+
+// ---- pose and step -> rows
+
+namespace
+{
+/// A sum of all that Bullet multiplies with any row of the body, no number if one of them is none. A row of the inertia stands
+/// for all of it: it tells whether the body is turned in a way that is no number. The body's place is looked at with the
+/// joint's strain.
+btVector3 sumOfMotion(const btRigidBody& body)
+{
+	return body.getLinearVelocity() + body.getAngularVelocity() + body.getTotalForce() + body.getTotalTorque() +
+		   body.getInvInertiaTensorWorld()[0];
+}
+}  // namespace
+
+int JointStep::prepare()
+{
+	m_numRows = 0;
+	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+	if (m_model.m_fault || m_model.m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
+		return 0;
+	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it.
+	const btVector3 motion = sumOfMotion(A) + sumOfMotion(B);
+	if (!btElasticPlasticIsFinite(motion.x() + motion.y() + motion.z()))
+		return 0;
+	// Angular rows come first, as in Bullet's own classes.
+	for (int dof = 3; dof < BT_EP_DOF_COUNT; ++dof)
+		if (m_model.isElasticPlastic(dof))
+			m_row[m_numRows++].m_dof = dof;
+	for (int dof = 0; dof < 3; ++dof)
+		if (m_model.isElasticPlastic(dof))
+			m_row[m_numRows++].m_dof = dof;
+	return m_numRows;
+}
+
+/// A kinematic body already stands where the step will take it, and has the velocity that brought it there.
+void JointStep::takeBackKinematicMotion()
+{
+	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+	if (!A.isKinematicObject() && !B.isKinematicObject())
+		return;
+	btVector3 linear(0, 0, 0), angular(0, 0, 0);
+	if (A.isKinematicObject())
+	{
+		linear += A.getVelocityInLocalPoint(m_kinematics.m_rA);
+		angular += A.getAngularVelocity();
+	}
+	if (B.isKinematicObject())
+	{
+		linear -= B.getVelocityInLocalPoint(m_kinematics.m_rB);
+		angular -= B.getAngularVelocity();
+	}
+	btScalar moved[BT_EP_DOF_COUNT];
+	project(linear, angular, moved);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		m_kinematics.m_strain[i] += m_dt * moved[i];
+}
+
+bool JointStep::evaluate(btScalar dt)
+{
+	m_model.measure(m_kinematics);
+	btScalar sum = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		sum += m_kinematics.m_strain[i];
+	if (!btElasticPlasticIsFinite(sum))
+	{
+		revert();
+		return false;
+	}
+	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+	const btVector3 linear =
+		A.getVelocityInLocalPoint(m_kinematics.m_rA) - B.getVelocityInLocalPoint(m_kinematics.m_rB);
+	btScalar velocity[BT_EP_DOF_COUNT];
+	project(linear, A.getAngularVelocity() - B.getAngularVelocity(), velocity);
+	for (int r = 0, rows = m_numRows; r < rows; ++r)
+	{
+		m_row[r].m_velocity0 = velocity[m_row[r].m_dof];
+		setImpulse(r, 0);
+	}
+	m_dt = dt;
+	takeBackKinematicMotion();
+	return true;
+}
+
+DofState JointStep::dofState(int dof) const
+{
+	return {m_model.m_capacity.m_stiffness[dof], m_model.m_capacity.m_yield[dof],
+			m_kinematics.m_strain[dof],          m_model.m_state.m_force[dof],
+			m_model.m_state.m_forceRate[dof],    m_model.m_state.m_lastStep};
+}
+
+PaperLaw JointStep::paperLaw(int dof) const
+{
+	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+	if (m_model.m_constraint.getConstraintType() == D6_SPRING_CONSTRAINT_TYPE)
+		return {PaperLaw::MOTOR, 0};
+	if (dof < 3)
+		return {PaperLaw::SPRING, btMax(A.getInvMass(), B.getInvMass())};
+	const btVector3& axis = m_kinematics.m_axis[dof - 3];
+	return {PaperLaw::SPRING, btMax((A.getInvInertiaTensorWorld() * axis).length(),
+									(B.getInvInertiaTensorWorld() * axis).length())};
+}
+
+SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForStock)
+{
+	Row& row = m_row[r];
+	const int dof = row.m_dof;
+	const DofState s = dofState(dof);
+	SoftRow soft;
+	if (m_model.m_capacity.isRigidPlastic(dof))
+		soft = rigidRow(s.m_yield, s.m_strain, erp, m_dt);
+	else if (m_model.m_isPaper)
+		soft = paperLaw(dof).row(s, m_dt);
+	else
+		soft = ImplicitLaw{isForStock}.row(s, diagonal, m_dt);
+	row.m_lower = soft.m_lower;
+	row.m_upper = soft.m_upper;
+	return soft;
+}
+
+bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
+{
+	if (m_numRows == 0 || !evaluate(dt))
+		return false;
+	const Kinematics& k = rows.m_kinematics = m_kinematics;
+	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
+	rows.m_numRows = m_numRows;
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		JointRows::Row& row = rows.m_row[r];
+		row.m_dof = m_row[r].m_dof;
+		const btVector3& axis = k.m_axis[row.m_dof % 3];
+		row.m_diagonal =
+			row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
+		row.m_soft = makeRow(r, row.m_diagonal, erp, false);
+		row.m_bound = m_lastBound[row.m_dof];
+	}
+	return true;
+}
+
+// ---- impulses and bounds -> the next state
+
+void JointStep::getLoad(btVector3& force, btVector3& torque) const
+{
+	btVector3 sum[2] = {btVector3(0, 0, 0), btVector3(0, 0, 0)};
+	for (int r = 0; r < m_numRows; ++r)
+		sum[m_row[r].m_dof / 3] += m_kinematics.m_axis[m_row[r].m_dof % 3] * m_row[r].m_impulse;
+	force = sum[0] / m_dt;
+	torque = sum[1] / m_dt;
+}
+
+ReturnMapping JointStep::returnMap(const Row& row) const
+{
+	const DofState s = dofState(row.m_dof);
+	RowOutcome outcome;
+	outcome.m_impulse = row.m_impulse;
+	outcome.m_lower = row.m_lower;
+	outcome.m_upper = row.m_upper;
+	// The step's own axes: strain read from the turned configuration would count the turning as strain.
+	outcome.m_trial = s.m_strain - m_dt * row.m_velocity1;
+	outcome.m_bound = m_lastBound[row.m_dof];
+	outcome.m_isBoundKnown = row.m_isBoundKnown;
+	if (m_model.m_capacity.isRigidPlastic(row.m_dof))
+		return rigidReturnMap(row.m_impulse, outcome.m_trial, outcome.isAtBound(s.m_yield * m_dt), m_dt);
+	if (m_model.m_isPaper)
+		return paperLaw(row.m_dof).returnMap(s, outcome, m_dt);
+	return ImplicitLaw{false}.returnMap(s, outcome, m_dt);
+}
+
+int JointStep::commit()
+{
+	m_numCommittedRows = m_numRows;
+	if (m_numRows == 0)
+		return NOTHING;
+	const Kinematics& k = m_kinematics;
+	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+	// The velocities with which the bodies were moved: other actions may have changed the present ones already.
+	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
+	const btVector3 linear =
+		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
+	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {};
+	project(linear, wA - wB, velocity1);
+
+	btElasticPlasticState& state = m_model.m_state;
+	const btScalar rate = 1 / m_dt;
+	double work = 0;
+	bool flowed = false;
+	for (int r = 0, rows = m_numRows; r < rows; ++r)
+	{
+		Row& row = m_row[r];
+		const int i = row.m_dof;
+		row.m_velocity1 = velocity1[i];
+		const ReturnMapping mapped = returnMap(row);
+		state.m_forceRate[i] = (mapped.m_force - state.m_force[i]) * rate;
+		state.m_force[i] = mapped.m_force;
+		state.m_applied[i] = row.m_impulse * rate;
+		// The work of an impulse on the bodies is exactly impulse times mean velocity.
+		work += double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
+		if (mapped.m_increment == 0)
+			continue;
+		increment[i] = mapped.m_increment;
+		state.m_plastic[i] += mapped.m_increment;
+		state.m_plasticPath[i] += btFabs(mapped.m_increment);
+		state.m_plasticEnergy += double(m_model.m_capacity.m_yield[i]) * btFabs(double(mapped.m_increment));
+		flowed = true;
+	}
+	state.m_lastStep = m_dt;
+	state.m_work -= 0.5 * work;
+	revert();
+	if (!flowed)
+		return NOTHING;
+	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
+		m_model.turnReference(increment);
+	const int outcome = state.m_yielded ? NOTHING : YIELDED;
+	state.m_yielded = true;
+	state.m_broken = m_model.damage() >= 1;
+	return state.m_broken ? outcome | BROKE : outcome;
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_JOINT_STEP_H
+#define BT_ELASTIC_PLASTIC_JOINT_STEP_H
+
+#include "JointModel.h"
+#include "PaperLaw.h"
+
+namespace btElasticPlastic
+{
+/// A joint's rows of one step, for a solver that adds compliance to the diagonal.
+struct JointRows
+{
+	struct Row
+	{
+		int m_dof;
+		btScalar m_diagonal;  ///< A = J M^-1 J^T
+		SoftRow m_soft;
+		signed char m_bound;  ///< at which the row ended when a direct solver saw it last (-1, 0, 1): a first guess
+	};
+
+	Kinematics m_kinematics;  ///< gives the Jacobians
+	int m_numRows;
+	Row m_row[BT_EP_DOF_COUNT];
+};
+
+/// One step of a joint: from pose and velocities to rows, from impulses and bounds to the next state.
+///
+/// Evaluating never changes the joint's state; only commit() does, once per substep.
+class JointStep
+{
+public:
+	explicit JointStep(JointModel& model) : m_model(model) {}
+
+	// ---- pose and step -> rows
+
+	/// Chooses the step's rows. \return how many; none if the joint has no part in the step
+	int prepare();
+
+	/// Evaluates the joint at the bodies' present transforms and velocities, for a step of dt [s].
+	/// \return false, and the joint has no part in the step, if they are no numbers
+	bool evaluate(btScalar dt);
+
+	/// All that a solver needs: evaluate(), and the rows with their own diagonals.
+	/// \param erp  Bullet's error reduction, for rigid-plastic rows
+	bool begin(btScalar dt, btScalar erp, JointRows& rows);
+
+	/// The r-th row's law, after evaluate().
+	/// \param diagonal    A = J M^-1 J^T of the row
+	/// \param isForStock  the row is for one of Bullet's own solvers
+	SoftRow makeRow(int r, btScalar diagonal, btScalar erp, bool isForStock);
+
+	int getNumRows() const { return m_numRows; }
+	int getDof(int r) const { return m_row[r].m_dof; }
+	btScalar getTimeStep() const { return m_dt; }
+	const Kinematics& getKinematics() const { return m_kinematics; }
+
+	// ---- impulses and bounds -> the next state
+
+	void setImpulse(int r, btScalar impulse)
+	{
+		m_row[r].m_impulse = impulse;
+		m_row[r].m_isBoundKnown = false;
+	}
+
+	/// From a solver that knows which rows are at a bound.
+	void setImpulse(int r, btScalar impulse, int bound)
+	{
+		m_row[r].m_impulse = impulse;
+		m_row[r].m_isBoundKnown = true;
+		m_lastBound[m_row[r].m_dof] = static_cast<signed char>(bound);
+	}
+	btScalar getImpulse(int r) const { return m_row[r].m_impulse; }
+
+	/// Impulses as a force and a torque about the joint's common point [N], [N m], on body A.
+	void getLoad(btVector3& force, btVector3& torque) const;
+
+	/// What a commit brought about, a set of bits.
+	enum Outcome
+	{
+		NOTHING = 0,
+		YIELDED = 1,  ///< flowed for the first time
+		BROKE = 2     ///< its ductility is spent
+	};
+
+	/// Ends the step: return mapping, plastic increments, energies, damage. Does nothing if the joint was not in the step.
+	int commit();
+
+	/// Forgets the step: the state stays as it was committed last.
+	void revert() { m_numRows = 0; }
+
+	// ---- the last committed step
+
+	int getNumCommittedRows() const { return m_numCommittedRows; }
+	/// Rate at which the r-th row's deformation grew before and after it [m/s], [rad/s].
+	btScalar getRateBefore(int r) const { return -m_row[r].m_velocity0; }
+	btScalar getRateAfter(int r) const { return -m_row[r].m_velocity1; }
+
+	/// J v of all six degrees of freedom from the relative velocity of A to B at the common point and the relative angular
+	/// velocity, or likewise a force's and a torque's components.
+	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
+
+private:
+	struct Row
+	{
+		btScalar m_lower, m_upper;  ///< bounds of the impulse
+		btScalar m_velocity0;       ///< J v at the start of the step
+		btScalar m_velocity1;       ///< and at its end, once committed
+		btScalar m_impulse;
+		int m_dof : 8;
+		bool m_isBoundKnown;
+	};
+
+	DofState dofState(int dof) const;
+	PaperLaw paperLaw(int dof) const;
+	ReturnMapping returnMap(const Row& row) const;
+	void takeBackKinematicMotion();
+
+	JointModel& m_model;
+	int m_numRows = 0;
+	int m_numCommittedRows = 0;
+	btScalar m_dt = 0;
+	Kinematics m_kinematics;
+	Row m_row[BT_EP_DOF_COUNT];
+	signed char m_lastBound[BT_EP_DOF_COUNT] = {};
+};
+
+/// A = J M^-1 J^T of a joint's rows.
+class Diagonal
+{
+public:
+	Diagonal(const btRigidBody& a, const btRigidBody& b);
+
+	/// Of a row along an axis with these moments about the bodies' centres of mass.
+	btScalar along(const btVector3& momentA, const btVector3& momentB) const
+	{
+		return m_inverseMass + momentA.dot(m_a * momentA) + momentB.dot(m_b * momentB);
+	}
+	btScalar about(const btVector3& axis) const { return axis.dot(m_both * axis); }
+
+private:
+	const btMatrix3x3 &m_a, &m_b;
+	const btMatrix3x3 m_both;
+	const btScalar m_inverseMass;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_JOINT_STEP_H

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "JointWorks.h"
+
+#include "../../btElasticPlasticEvent.h"
+#include "../../btElasticPlasticJoint.h"
+#include "BulletDynamics/ConstraintSolver/btSolverBody.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "JointRegistry.h"
+
+namespace btElasticPlastic
+{
+// ---- recognising each other without run-time type information
+
+namespace
+{
+/// Goes where a solver would pass a body. Its m_originalBody points to something that no caller can reach.
+struct Question : btSolverBody
+{
+	JointWorks* m_answer = nullptr;
+};
+
+const char SIGN = 0;
+btRigidBody* signOfQuestion() { return reinterpret_cast<btRigidBody*>(const_cast<char*>(&SIGN)); }
+}  // namespace
+
+JointWorks* JointWorks::from(btTypedConstraint* constraint)
+{
+	const btTypedConstraintType type = constraint->getConstraintType();
+	if (type != D6_SPRING_CONSTRAINT_TYPE && type != D6_SPRING_2_CONSTRAINT_TYPE)
+		return nullptr;
+	// Both of Bullet's classes inherit an empty solveConstraintObsolete: only ours answers.
+	Question question;
+	question.m_originalBody = signOfQuestion();
+	constraint->solveConstraintObsolete(question, question, 0);
+	return question.m_answer;
+}
+
+void JointWorks::answer(btSolverBody& asked)
+{
+	if (asked.m_originalBody == signOfQuestion())
+		static_cast<Question&>(asked).m_answer = this;
+}
+
+// ---- faults
+
+void JointWorks::setFault(const btElasticPlasticFault& fault)
+{
+	m_model.m_fault = fault;
+	m_isFaultTold = !fault;
+}
+
+void JointWorks::tellFault(JointRegistry* registry)
+{
+	m_isFaultTold = true;
+	char text[320];
+	m_joint.printFault(text, sizeof text);
+	if (registry)
+		registry->refuse(m_joint, text);
+	else
+		btElasticPlasticListener().onRefused(m_joint, text);
+}
+
+void JointWorks::tellFaultOnce()
+{
+	if (!m_isFaultTold)
+		tellFault(m_entry.m_registry);
+}
+
+bool JointWorks::needsRegistry() const
+{
+	return m_model.m_dofs && !m_model.m_fault && (!m_entry.m_registry || m_numUncommitted > 2);
+}
+
+/// Without its commits the joint would be a wrong spring that never yields.
+void JointWorks::refuseWithoutRegistry()
+{
+	setFault(m_entry.m_registry
+				 ? btElasticPlasticFault("number of commits in the last three substeps", 0,
+										 "3: call btDynamicsWorld::addAction")
+				 : btElasticPlasticFault("number of actions that know the joint", 0,
+										 "1: call btElasticPlasticAction::addJoint"));
+}
+
+// ---- the step
+
+void JointWorks::buildJacobian()
+{
+	// Bullet's own solvers tell impulses only through a feedback.
+	if (m_nextRequest == WHOLE_ROWS)
+		m_feedback.attach(m_model.m_constraint);
+	m_separation.holdOverlap(m_model.m_constraint);
+}
+
+int JointWorks::prepare()
+{
+	m_numUncommitted = m_step.getNumRows() > 0 ? m_numUncommitted + 1 : 0;
+	m_request = m_nextRequest;
+	m_nextRequest = WHOLE_ROWS;
+	if (needsRegistry())
+		refuseWithoutRegistry();
+	tellFaultOnce();
+	const int rows = m_step.prepare();
+	return m_request == NO_ROWS ? 0 : rows;
+}
+
+void JointWorks::request(Request request)
+{
+	m_nextRequest = request;
+	m_feedback.detach(m_model.m_constraint);
+}
+
+bool JointWorks::hasBaseRows() const { return !m_model.isElasticPlasticThroughout() && m_joint.isBaseActive(); }
+
+void JointWorks::requestJacobians() { request(JACOBIANS); }
+
+bool JointWorks::beginAlone()
+{
+	request(NO_ROWS);
+	if (m_separation.isUnderWay() || hasBaseRows())
+		return false;
+	m_model.m_constraint.internalSetAppliedImpulse(0);
+	if (btJointFeedback* feedback = m_model.m_constraint.getJointFeedback())
+		StockFeedback::clear(*feedback);
+	prepare();
+	return true;
+}
+
+namespace
+{
+void copy(btScalar* to, const btVector3& from)
+{
+	for (int i = 0; i < 3; ++i)
+		to[i] = from[i];
+}
+}  // namespace
+
+void JointWorks::writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
+{
+	if (m_request == NO_ROWS)
+		return;
+	// Copies of what the compiler would read again after every write.
+	const int rows = m_step.getNumRows(), skip = info->rowskip;
+	if (!m_step.evaluate(1 / info->fps))
+	{
+		// Rows of zeros, as Bullet has left them.
+		for (int s = firstRow * skip, r = 0; r < rows; ++r, s += skip)
+			info->m_lowerLimit[s] = info->m_upperLimit[s] = 0;
+		return;
+	}
+	const Kinematics& k = m_step.getKinematics();
+	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
+	const bool isWhole = m_request == WHOLE_ROWS;
+	int s = firstRow * skip;
+	for (int r = 0; r < rows; ++r, s += skip)
+	{
+		const int dof = m_step.getDof(r);
+		const btVector3& axis = k.m_axis[dof < 3 ? dof : dof - 3];
+		btScalar a = 0;
+		if (dof < 3)
+		{
+			const btVector3 momentA = k.m_rA.cross(axis), momentB = axis.cross(k.m_rB);
+			copy(info->m_J1linearAxis + s, axis);
+			copy(info->m_J2linearAxis + s, -axis);
+			copy(info->m_J1angularAxis + s, momentA);
+			copy(info->m_J2angularAxis + s, momentB);
+			if (isWhole)
+				a = diagonal.along(momentA, momentB);
+		}
+		else
+		{
+			copy(info->m_J1angularAxis + s, axis);
+			copy(info->m_J2angularAxis + s, -axis);
+			if (isWhole)
+				a = diagonal.about(axis);
+		}
+		if (!isWhole)
+			continue;
+		const SoftRow soft = m_step.makeRow(r, a, info->erp, true);
+		info->m_constraintError[s] = soft.m_velocity;
+		info->cfm[s] = soft.m_compliance / a;
+		info->m_lowerLimit[s] = soft.m_lower;
+		info->m_upperLimit[s] = soft.m_upper;
+	}
+	if (firstRow > 0 && isWhole)
+		m_feedback.separateRows(*info, firstRow, rows);
+	else
+		m_feedback.setNoBaseRows();
+}
+
+void JointWorks::finishAlone(const double* impulses, const signed char* bounds)
+{
+	btTypedConstraint& constraint = m_model.m_constraint;
+	btScalar largest = 0;
+	for (int r = 0; r < m_step.getNumRows(); ++r)
+	{
+		const btScalar impulse = btScalar(impulses[r]);
+		m_step.setImpulse(r, impulse, bounds[r]);
+		btSetMax(largest, btFabs(impulse));
+		constraint.internalSetAppliedImpulse(impulse);
+	}
+	if (btJointFeedback* feedback = constraint.getJointFeedback())
+	{
+		const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+		const Kinematics& k = m_step.getKinematics();
+		btVector3 force, torque;
+		m_step.getLoad(force, torque);
+		feedback->m_appliedForceBodyA += force * A.getLinearFactor();
+		feedback->m_appliedForceBodyB -= force * B.getLinearFactor();
+		feedback->m_appliedTorqueBodyA += (torque + k.m_rA.cross(force)) * A.getAngularFactor();
+		feedback->m_appliedTorqueBodyB -= (torque + k.m_rB.cross(force)) * B.getAngularFactor();
+	}
+	if (largest >= constraint.getBreakingImpulseThreshold())
+		constraint.setEnabled(false);
+}
+
+int JointWorks::commit()
+{
+	if (m_step.getNumRows() > 0 && m_request == WHOLE_ROWS)
+		m_feedback.decode(m_model.m_constraint, m_step);
+	return m_step.commit();
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_PREFETCH_H
+#define BT_ELASTIC_PLASTIC_PREFETCH_H
+
+#include <stddef.h>
+
+namespace btElasticPlastic
+{
+/// Asks the processor for all of an object, which will be used soon: a large structure's joints do not fit its caches.
+template <class T>
+inline void prefetch(const T& object)
+{
+#if defined(__GNUC__)
+	const size_t cacheLine = 64;
+	const char* const begin = reinterpret_cast<const char*>(&object);
+	for (size_t i = 0; i < sizeof object; i += cacheLine)
+		__builtin_prefetch(begin + i);
+#else
+	(void)object;
+#endif
+}
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_PREFETCH_H

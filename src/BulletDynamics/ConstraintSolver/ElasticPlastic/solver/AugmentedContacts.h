@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_AUGMENTED_CONTACTS_H
+#define BT_ELASTIC_PLASTIC_AUGMENTED_CONTACTS_H
+
+#include <vector>
+
+#include "BoxLaw.h"
+#include "SystemInput.h"
+
+namespace btElasticPlastic
+{
+/// The augmented Lagrangian that makes contacts as hard as they are.
+///
+/// Contacts are hard (C = 0) or nearly so, with friction bounded by the normal impulse. They are given to the search with a
+/// softening c and a multiplier l: the row asks for J dv + C lambda + c (lambda - l) = b. From loop to loop l becomes the last
+/// lambda, and friction's bounds follow the normal impulses, until nothing changes.
+class AugmentedContacts
+{
+public:
+	/// Begins a problem: rows get their guessed impulses as multipliers.
+	/// \return whether there is any contact
+	bool begin(SystemInput& input, const BoxLaw& law);
+
+	/// What a loop has found.
+	struct Progress
+	{
+		bool m_isOpen = false;           ///< anything changed that matters
+		bool m_hasChangedMatrix = false;  ///< a compliance has changed
+	};
+
+	/// Ends a loop: sets the rows' targets, compliances and bounds for the next one.
+	/// \param tolerance  of velocities, relative to the fastest approach
+	Progress tighten(SystemInput& input, const BoxLaw& law, int loop, double tolerance);
+
+private:
+	/// By single row.
+	struct State
+	{
+		double m_target = 0;      ///< b
+		double m_multiplier = 0;  ///< l
+		double m_softening = 0;   ///< c
+		double m_slip = 0;        ///< velocity that the last loop has left
+		double m_leastSoftening = 0;
+	};
+
+	std::vector<State> m_states;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_AUGMENTED_CONTACTS_H

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_BOX_LAW_H
+#define BT_ELASTIC_PLASTIC_BOX_LAW_H
+
+#include <vector>
+
+#include "SystemInput.h"
+
+namespace btElasticPlastic
+{
+/// Which impulses are admissible, and which of them answers a trial: the seam between the search and the laws of units.
+///
+/// A unit's rows are asked for u = b - J dv. Its law projects u onto an admissible impulse lambda(u), the gradient of a convex
+/// potential psi(u), and gives the tangent d lambda / du, symmetric and positive semidefinite. The search (System) and the
+/// matrix (SystemMatrix) know no more of a law than the functions of this class. A law that couples the rows of a unit, such as
+/// a yield surface, stands beside this one with the same functions for its own units, and fills the unit's whole tangent.
+///
+/// Here the bounds of all rows are independent, a box: lambda = clamp(u / C, lower, upper), row by row.
+class BoxLaw
+{
+public:
+	/// Begins a search with the rows' guessed bounds.
+	void begin(const SystemInput& input)
+	{
+		const size_t n = input.m_rows.size();
+		m_impulse.resize(n);
+		m_bound.resize(n);
+		m_isInTangent.assign(n, 0);
+		for (size_t i = 0; i < n; ++i)
+		{
+			m_impulse[i] = input.m_guess[i].m_impulse;
+			m_bound[i] = input.m_guess[i].m_bound;
+		}
+	}
+
+	/// Impulses for the present bounds, whatever u is: what a linear problem with these bounds begins with.
+	void holdBounds(const SystemInput& input)
+	{
+		for (size_t i = 0; i < m_impulse.size(); ++i)
+		{
+			const SystemInput::Bounded& row = input.m_rows[i];
+			m_impulse[i] = m_bound[i] == 0 ? row.m_target / row.m_compliance : m_bound[i] > 0 ? row.m_upper : row.m_lower;
+		}
+	}
+
+	/// Impulses and bounds for a trial. \param along  J dv of all rows \return whether a bound, and so the tangent, has changed
+	bool project(const SystemInput& input, const std::vector<double>& along)
+	{
+		bool hasChanged = false;
+		for (size_t i = 0; i < m_impulse.size(); ++i)
+		{
+			const SystemInput::Bounded& row = input.m_rows[i];
+			const double impulse = (row.m_target - along[i]) / row.m_compliance;
+			// Bounds without room between them, of friction where nothing presses, leave nothing to choose: on which side an
+			// impulse of rounding's size lies must not count as a change.
+			const signed char bound = impulse > row.m_upper || row.m_lower == row.m_upper ? 1
+									  : impulse < row.m_lower                             ? -1
+																						  : 0;
+			m_impulse[i] = bound > 0 ? row.m_upper : bound < 0 ? row.m_lower : impulse;
+			hasChanged |= bound != m_bound[i];
+			m_bound[i] = bound;
+		}
+		return hasChanged;
+	}
+
+	/// Adds psi(u) of all rows, u^2 / 2C between the bounds and straight on beyond them, for the impulses of the last project().
+	/// \param terms  gets the absolute values added
+	void addPotential(const SystemInput& input, const std::vector<double>& along, double& sum, double& terms) const
+	{
+		for (size_t i = 0; i < m_impulse.size(); ++i)
+		{
+			const SystemInput::Bounded& row = input.m_rows[i];
+			const double term = m_impulse[i] * (row.m_target - along[i] - 0.5 * row.m_compliance * m_impulse[i]);
+			sum += term;
+			terms += term < 0 ? -term : term;
+		}
+	}
+
+	/// Adds the derivatives of psi along a step, at a share t of it.
+	/// \param start, step  J dv of all rows at the step's start, and of the step
+	void addDerivatives(const SystemInput& input, const std::vector<double>& start, const std::vector<double>& step, double t,
+						double& first, double& second) const
+	{
+		for (size_t i = 0; i < m_impulse.size(); ++i)
+		{
+			const SystemInput::Bounded& row = input.m_rows[i];
+			const double impulse = (row.m_target - start[i] - t * step[i]) / row.m_compliance;
+			const double bounded = impulse < row.m_upper ? impulse : row.m_upper;
+			first -= step[i] * (bounded > row.m_lower ? bounded : row.m_lower);
+			if (impulse > row.m_lower && impulse < row.m_upper)
+				second += step[i] * step[i] / row.m_compliance;
+		}
+	}
+
+	/// Adds a unit's tangent in world coordinates: sum of a a^T / C over the rows between their bounds.
+	/// \param linear, angular  3x3, of the rows along and about the axes
+	void addTangent(const SystemInput& input, const SystemInput::Unit& unit, double linear[9], double angular[9]) const
+	{
+		for (int r = 0; r < unit.m_numRows; ++r)
+		{
+			const int i = unit.m_firstRow + r;
+			if (m_bound[i] != 0)
+				continue;
+			const double weight = 1 / input.m_rows[i].m_compliance;
+			const double* const a = unit.m_axis[unit.m_dof[r] % 3];
+			double* const to = unit.m_dof[r] < 3 ? linear : angular;
+			for (int c = 0; c < 3; ++c)
+				for (int k = 0; k < 3; ++k)
+					to[3 * c + k] += weight * a[c] * a[k];
+		}
+	}
+
+	/// The tangent of a single row, d lambda / du.
+	double getTangent(const SystemInput& input, int row) const
+	{
+		return m_bound[row] == 0 ? 1 / input.m_rows[row].m_compliance : 0.;
+	}
+
+	/// Notes that the rows' present tangent is in the matrix. \return whether it was another one before
+	bool noteTangent(int firstRow, int numRows)
+	{
+		bool hasChanged = false;
+		for (int i = firstRow; i < firstRow + numRows; ++i)
+		{
+			const char isIn = m_bound[i] == 0;
+			hasChanged |= isIn != m_isInTangent[i];
+			m_isInTangent[i] = isIn;
+		}
+		return hasChanged;
+	}
+
+	double getImpulse(int row) const { return m_impulse[row]; }
+	const double* getImpulses(int row) const { return &m_impulse[row]; }
+	const signed char* getBounds(int row) const { return &m_bound[row]; }
+
+private:
+	std::vector<double> m_impulse;      // lambda, by row
+	std::vector<signed char> m_bound;   // -1 at the lower, 1 at the upper bound, 0 between
+	std::vector<char> m_isInTangent;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_BOX_LAW_H

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_DIRECT_FORM_H
+#define BT_ELASTIC_PLASTIC_DIRECT_FORM_H
+
+#include "../joint/JointWorks.h"
+#include "SolverPools.h"
+#include "System.h"
+
+namespace btElasticPlastic
+{
+/// The direct form of the solver: puts an island's bodies, elastic-plastic joints and Bullet's rows into a System, and its
+/// solution back. Bullet sees no rows of elastic-plastic joints here, which saves most of what it spends on setting them up.
+class DirectForm
+{
+public:
+	explicit DirectForm(btElasticPlasticStatistics& statistics) : m_system(statistics) {}
+
+	System& getSystem() { return m_system; }
+
+	/// Begins an island.
+	void begin();
+
+	/// \param solverBodies  of the joint's bodies, indices of the pool
+	void addJoint(JointWorks& joint, const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
+
+	bool hasJoints() const { return m_joints.size() > 0; }
+
+	/// Adds Bullet's rows and solves. \return false if it does not converge
+	bool solve(const SolverPools& pools, bool hasTwoFrictionDirections);
+
+	/// After solve(): gives bodies their changes of velocity and Bullet's rows their impulses.
+	void writeResult(const SolverPools& pools) const;
+
+	/// When Bullet has ended the step's solution: gives joints their impulses.
+	void finish();
+
+	/// Forgets the island: its joints have no part in the step any more.
+	void cancel();
+
+private:
+	struct Joint
+	{
+		JointWorks* m_works;
+		int m_firstRow;  ///< of the system
+		bool m_isCut;    ///< Bullet's breaking threshold is below a bound: being there is no flow
+	};
+
+	void addBodies(const SolverPools& pools);
+	void addUnit(const JointRows& rows, const int solverBodies[2]);
+	void addUnitAsSingleRows(const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
+	SystemInput::SingleRow& addRow(const btSolverConstraint& row, const SolverPools& pools);
+	SystemInput::SingleRow& addContactRow(const btSolverConstraint& row, const SolverPools& pools);
+	void addContacts(const SolverPools& pools, bool hasTwoDirections);
+	void addFriction(const btConstraintArray& rows, int firstContact, bool isRolling, const SolverPools& pools);
+
+	SystemInput m_input;
+	System m_system;
+	btAlignedObjectArray<Joint> m_joints;
+	btAlignedObjectArray<int> m_index;              ///< of a solver body in the system, -1: does not move
+	int m_firstRow = 0;                             ///< single row of the first one in Bullet's pools
+	btAlignedObjectArray<btScalar> m_lastFriction;  ///< the last step's impulses, by Bullet's pool
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_DIRECT_FORM_H

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "IslandSolver.h"
+
+#include "../joint/Prefetch.h"
+#include "../linear/ScopedTimer.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// Bullet gives bodies their gravity first and wakes the rest of an island then: for a step that rest would weigh nothing,
+/// and a structure that carries itself spring up. A body that is about to sleep has been at rest for a while; Bullet leaves only
+/// those it has just woken with that state and no time at rest.
+void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
+{
+	for (int i = 0; i < numBodies; ++i)
+	{
+		btRigidBody* const body = btRigidBody::upcast(bodies[i]);
+		if (body && body->getActivationState() == WANTS_DEACTIVATION && body->getDeactivationTime() == 0)
+			body->applyGravity();
+	}
+}
+
+/// From so many joints on they no longer fit the second level of a processor's cache.
+const int MANY_JOINTS = 400;
+/// How many joints ahead of the present one are asked for.
+const int AHEAD = 4;
+}  // namespace
+
+SolverPools IslandSolver::pools()
+{
+	return {m_tmpSolverBodyPool, m_tmpSolverNonContactConstraintPool, m_tmpSolverContactConstraintPool,
+			m_tmpSolverContactFrictionConstraintPool, m_tmpSolverContactRollingFrictionConstraintPool};
+}
+
+void IslandSolver::setSettings(const btElasticPlasticSolverSettings& settings)
+{
+	m_settings = settings;
+	m_direct.getSystem().setSettings(settings);
+}
+
+void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+						 btDispatcher* dispatcher)
+{
+	m_joints = island.m_joints;
+	giveWokenTheirWeight(island.m_bodies, island.m_numBodies);
+	solveGroup(island.m_bodies, island.m_numBodies, island.m_manifolds, island.m_numManifolds, island.m_constraints,
+			   island.m_numConstraints, info, debugDrawer, dispatcher);
+}
+
+// ---- set-up
+
+void IslandSolver::convertJoints(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
+{
+	m_direct.begin();
+	m_iterative.begin();
+	if (m_settings.m_form == BT_EP_DIRECT)
+		convertForDirect(constraints, numConstraints, info);
+	else
+		convertForIterative(constraints, numConstraints, info);
+}
+
+void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
+{
+	m_others.resize(0);
+	m_otherJoints.resize(0);
+	{
+		const ScopedTimer timer("elastic-plastic set-up", m_statistics.m_setUpTime);
+		const bool isLarge = numConstraints > MANY_JOINTS;
+		for (int i = 0; i < numConstraints; ++i)
+		{
+			if (isLarge && i + AHEAD < numConstraints && m_joints[i + AHEAD])
+				prefetch(*m_joints[i + AHEAD]);
+			JointWorks* const joint = constraints[i]->isEnabled() ? m_joints[i] : nullptr;
+			if (joint && joint->beginAlone())
+				addToDirect(*joint, info);
+			else
+			{
+				m_others.push_back(constraints[i]);
+				m_otherJoints.push_back(joint);
+			}
+		}
+	}
+	btSequentialImpulseConstraintSolver::convertJoints(m_others.size() > 0 ? &m_others[0] : nullptr, m_others.size(),
+													   info);
+	for (int i = 0; i < m_others.size(); ++i)
+		if (m_otherJoints[i])
+			addToDirect(*m_otherJoints[i], info);
+}
+
+void IslandSolver::addToDirect(JointWorks& joint, const btContactSolverInfo& info)
+{
+	JointRows rows;
+	if (!joint.m_step.begin(info.m_timeStep, info.m_erp, rows))
+		return;
+	const int solverBodies[2] = {getOrInitSolverBody(joint.m_model.bodyA(), info.m_timeStep),
+								 getOrInitSolverBody(joint.m_model.bodyB(), info.m_timeStep)};
+	m_direct.addJoint(joint, rows, solverBodies, pools());
+}
+
+void IslandSolver::convertForIterative(btTypedConstraint** constraints, int numConstraints,
+									   const btContactSolverInfo& info)
+{
+	for (int i = 0; i < numConstraints; ++i)
+		// A disabled one will not be asked for rows.
+		if (m_joints[i] && constraints[i]->isEnabled())
+			m_joints[i]->requestJacobians();
+	btSequentialImpulseConstraintSolver::convertJoints(constraints, numConstraints, info);
+
+	int end = 0;
+	for (int i = 0; i < numConstraints; ++i)
+	{
+		end += m_tmpConstraintSizesPool[i].m_numConstraintRows;
+		// The joint's own rows are the last of its constraint's.
+		if (m_joints[i] && constraints[i]->isEnabled())
+			m_iterative.addJoint(*m_joints[i], end - m_joints[i]->m_step.getNumRows(), pools(), info.m_erp);
+	}
+}
+
+// ---- solution
+
+btScalar IslandSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int numBodies,
+														 btPersistentManifold** manifolds, int numManifolds,
+														 btTypedConstraint** constraints, int numConstraints,
+														 const btContactSolverInfo& info, btIDebugDraw* debugDrawer)
+{
+	if (m_direct.hasJoints())
+	{
+		if (m_direct.solve(pools(), (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0))
+		{
+			solveGroupCacheFriendlySplitImpulseIterations(bodies, numBodies, manifolds, numManifolds, constraints,
+														  numConstraints, info, debugDrawer);
+			m_direct.writeResult(pools());
+			return 0;
+		}
+		fallBack(constraints, numConstraints, info);
+	}
+	return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyIterations(
+		bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, debugDrawer);
+}
+
+void IslandSolver::fallBack(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
+{
+	++m_statistics.m_fallbacks;
+	m_direct.cancel();
+	convertForIterative(constraints, numConstraints, info);
+	m_orderNonContactConstraintPool.resizeNoInitialize(m_tmpSolverNonContactConstraintPool.size());
+	for (int i = 0; i < m_orderNonContactConstraintPool.size(); ++i)
+		m_orderNonContactConstraintPool[i] = i;
+}
+
+btScalar IslandSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
+													 const btContactSolverInfo& info)
+{
+	m_iterative.finish(pools());
+	btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);
+	m_direct.finish();
+	return 0;
+}
+}  // namespace btElasticPlastic

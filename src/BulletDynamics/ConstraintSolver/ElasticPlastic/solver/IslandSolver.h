@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_ISLAND_SOLVER_H
+#define BT_ELASTIC_PLASTIC_ISLAND_SOLVER_H
+
+#include "../../btElasticPlasticSolverSettings.h"
+#include "../../btElasticPlasticStatistics.h"
+#include "BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h"
+#include "DirectForm.h"
+#include "Islands.h"
+#include "IterativeForm.h"
+
+namespace btElasticPlastic
+{
+/// Solves one island after another: Bullet's solver sets up bodies, contacts and other constraints and ends the step, one of the
+/// two forms solves in between. Different objects may be used by different threads at the same time.
+class IslandSolver : public btSequentialImpulseConstraintSolver
+{
+public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	IslandSolver() : m_direct(m_statistics) {}
+
+	void setSettings(const btElasticPlasticSolverSettings& settings);
+
+	/// Ages what is kept from step to step.
+	void beginStep() { m_direct.getSystem().beginStep(); }
+
+	/// Solves an island with elastic-plastic joints; with the iterative form it may be several.
+	void solve(const SolverGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+			   btDispatcher* dispatcher);
+
+	/// Summed over all solutions; the caller may reset them.
+	btElasticPlasticStatistics& getStatistics() { return m_statistics; }
+
+protected:
+	void convertJoints(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info) override;
+	btScalar solveGroupCacheFriendlyIterations(btCollisionObject** bodies, int numBodies,
+											   btPersistentManifold** manifolds, int numManifolds,
+											   btTypedConstraint** constraints, int numConstraints,
+											   const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
+	btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
+										   const btContactSolverInfo& info) override;
+
+private:
+	SolverPools pools();
+	void convertForDirect(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
+	void convertForIterative(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
+	void addToDirect(JointWorks& joint, const btContactSolverInfo& info);
+	void fallBack(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
+
+	btElasticPlasticSolverSettings m_settings;
+	btElasticPlasticStatistics m_statistics;
+	DirectForm m_direct;
+	IterativeForm m_iterative;
+	JointWorks** m_joints = nullptr;                     ///< of the island at work, per constraint, null: not elastic-plastic
+	btAlignedObjectArray<btTypedConstraint*> m_others;   ///< the island's constraints that have rows in Bullet's pool
+	btAlignedObjectArray<JointWorks*> m_otherJoints;     ///< of these, null where there is none of ours
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_ISLAND_SOLVER_H

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "IterativeForm.h"
+
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// A and J v of a row, external forces included.
+struct RowMotion
+{
+	btScalar m_diagonal, m_velocity;
+
+	RowMotion(const btSolverConstraint& row, const JointModel& model, const SolverPools& pools)
+	{
+		if (row.m_jacDiagABInv > 0)
+		{
+			m_diagonal = 1 / row.m_jacDiagABInv;
+			m_velocity = -row.m_rhs * m_diagonal;
+			return;
+		}
+		// Where A <= SIMD_EPSILON, in float two bodies of 8000 t, Bullet has put 0.
+		const btSolverBody &A = pools.m_bodies[row.m_solverBodyIdA], &B = pools.m_bodies[row.m_solverBodyIdB];
+		m_diagonal = row.m_contactNormal1.length2() * model.bodyA().getInvMass() +
+					 row.m_contactNormal2.length2() * model.bodyB().getInvMass() +
+					 row.m_angularComponentA.dot(row.m_relpos1CrossNormal) +
+					 row.m_angularComponentB.dot(row.m_relpos2CrossNormal);
+		m_velocity = row.m_contactNormal1.dot(A.m_linearVelocity + A.m_externalForceImpulse) +
+					 row.m_relpos1CrossNormal.dot(A.m_angularVelocity + A.m_externalTorqueImpulse) +
+					 row.m_contactNormal2.dot(B.m_linearVelocity + B.m_externalForceImpulse) +
+					 row.m_relpos2CrossNormal.dot(B.m_angularVelocity + B.m_externalTorqueImpulse);
+	}
+};
+}  // namespace
+
+/// impulse += (r - J v - C impulse - J dv) / (A + C).
+void IterativeForm::addJoint(JointWorks& joint, int firstRow, const SolverPools& pools, btScalar erp)
+{
+	const Joint entry = {&joint, firstRow};
+	m_joints.push_back(entry);
+	for (int r = 0; r < joint.m_step.getNumRows(); ++r)
+	{
+		btSolverConstraint& row = pools.m_constraints[firstRow + r];
+		const RowMotion motion(row, joint.m_model, pools);
+		const SoftRow soft = joint.m_step.makeRow(r, motion.m_diagonal, erp, false);
+		row.m_jacDiagABInv = 1 / (motion.m_diagonal + soft.m_compliance);
+		row.m_rhs = (soft.m_velocity - motion.m_velocity) * row.m_jacDiagABInv;
+		row.m_cfm = soft.m_compliance * row.m_jacDiagABInv;
+		// Bullet has put the breaking threshold there, if the user wants that too.
+		btSetMax(row.m_lowerLimit, soft.m_lower);
+		btSetMin(row.m_upperLimit, soft.m_upper);
+	}
+}
+
+void IterativeForm::finish(const SolverPools& pools)
+{
+	for (int j = 0; j < m_joints.size(); ++j)
+		for (int r = 0; r < m_joints[j].m_works->m_step.getNumRows(); ++r)
+			m_joints[j].m_works->m_step.setImpulse(r, pools.m_constraints[m_joints[j].m_firstRow + r].m_appliedImpulse);
+}
+}  // namespace btElasticPlastic

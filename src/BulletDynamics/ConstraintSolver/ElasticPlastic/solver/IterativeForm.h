@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_ITERATIVE_FORM_H
+#define BT_ELASTIC_PLASTIC_ITERATIVE_FORM_H
+
+#include "../joint/JointWorks.h"
+#include "SolverPools.h"
+
+namespace btElasticPlastic
+{
+/// The iterative form of the solver: Bullet's sequential impulses on exact soft rows.
+///
+/// Bullet multiplies the impulse by a row's compliance but leaves it out of the diagonal; the iteration then diverges for springs
+/// that the step resolves. Here an elastic-plastic row (J v + C lambda = r) is divided by A + C instead of A, which is
+/// Gauss-Seidel on the true matrix and converges for every C, if slowly for long stiff chains.
+class IterativeForm
+{
+public:
+	/// Begins an island.
+	void begin() { m_joints.resize(0); }
+
+	/// Makes the joint's rows in Bullet's pool soft. Bullet has made J, A and -J v / A of them; the rest comes from the joint.
+	/// \param firstRow  of the joint's own ones in the pool
+	/// \param erp       Bullet's error reduction
+	void addJoint(JointWorks& joint, int firstRow, const SolverPools& pools, btScalar erp);
+
+	/// Gives joints their impulses.
+	void finish(const SolverPools& pools);
+
+private:
+	struct Joint
+	{
+		JointWorks* m_works;
+		int m_firstRow;  ///< in Bullet's pool
+	};
+
+	btAlignedObjectArray<Joint> m_joints;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_ITERATIVE_FORM_H

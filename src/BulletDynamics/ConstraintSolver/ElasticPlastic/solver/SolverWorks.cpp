@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "SolverWorks.h"
+
+#include "BulletCollision/CollisionDispatch/btCollisionObject.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// Bullet itself leaves sleeping islands out, but not where the world does not split islands.
+bool isAsleep(const SolverGroup& island)
+{
+	for (int i = 0; i < island.m_numBodies; ++i)
+		if (island.m_bodies[i]->isActive())
+			return false;
+	return island.m_numBodies > 0;
+}
+
+/// May any thread solve it? Not if its factor is kept from step to step, and not with a kinematic body, in which Bullet notes
+/// which of a solver's bodies it is.
+bool isForAnyThread(const SolverGroup& island)
+{
+	if (LinearSolver::mayKeepFactor(island.m_numBodies))
+		return false;
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_constraints[i]->getRigidBodyA().isKinematicObject() ||
+			island.m_constraints[i]->getRigidBodyB().isKinematicObject())
+			return false;
+	for (int i = 0; i < island.m_numManifolds; ++i)
+		if (island.m_manifolds[i]->getBody0()->isKinematicObject() ||
+			island.m_manifolds[i]->getBody1()->isKinematicObject())
+			return false;
+	return true;
+}
+}  // namespace
+
+SolverWorks::SolverWorks() { m_solvers.emplace_back(new IslandSolver); }
+
+void SolverWorks::setSettings(const btElasticPlasticSolverSettings& settings)
+{
+	const int threads = settings.m_numThreads;
+	if (threads != m_settings.m_numThreads)
+	{
+		m_pool.reset(threads > 1 ? new WorkerPool(threads) : nullptr);
+		m_solvers.resize(size_t(threads));
+		for (auto& solver : m_solvers)
+			if (!solver)
+				solver.reset(new IslandSolver);
+	}
+	m_settings = settings;
+	for (const auto& solver : m_solvers)
+		solver->setSettings(settings);
+}
+
+void SolverWorks::takeRowSolvers(btSequentialImpulseConstraintSolver& from)
+{
+	for (const auto& solver : m_solvers)
+	{
+		solver->setConstraintRowSolverGeneric(from.getActiveConstraintRowSolverGeneric());
+		solver->setConstraintRowSolverLowerLimit(from.getActiveConstraintRowSolverLowerLimit());
+	}
+}
+
+void SolverWorks::beginStep()
+{
+	for (const auto& solver : m_solvers)
+		solver->beginStep();
+}
+
+bool SolverWorks::findJoints(const SolverGroup& group)
+{
+	bool hasJoints = false;
+	m_joints.resizeNoInitialize(group.m_numConstraints);
+	for (int i = 0; i < group.m_numConstraints; ++i)
+	{
+		m_joints[i] = JointWorks::from(group.m_constraints[i]);
+		hasJoints |= m_joints[i] != nullptr;
+	}
+	return hasJoints;
+}
+
+SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+							   btDispatcher* dispatcher)
+{
+	if (!findJoints(given))
+		return given;
+	SolverGroup group = given;
+	group.m_joints = &m_joints[0];
+	if (m_settings.m_form == BT_EP_ITERATIVE)
+	{
+		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
+		return SolverGroup();
+	}
+	m_islands.split(group);
+	m_sharedIslands.clear();
+	for (int i = 0; i < m_islands.getNumIslands(); ++i)
+	{
+		const SolverGroup island = m_islands.getIsland(i);
+		if (isAsleep(island))
+			continue;
+		if (m_pool && isForAnyThread(island))
+			m_sharedIslands.push_back(i);
+		else
+			m_solvers[0]->solve(island, info, debugDrawer, dispatcher);
+	}
+	solveShared(info, dispatcher);
+	return m_islands.getOthers();
+}
+
+struct SolverWorks::SharedIslands : WorkerPool::Task
+{
+	SolverWorks& m_works;
+	const btContactSolverInfo& m_info;
+	btDispatcher* m_dispatcher;
+
+	SharedIslands(SolverWorks& works, const btContactSolverInfo& info, btDispatcher* dispatcher)
+		: m_works(works), m_info(info), m_dispatcher(dispatcher)
+	{
+	}
+
+	void run(int index, int worker) override
+	{
+		const SolverGroup island = m_works.m_islands.getIsland(m_works.m_sharedIslands[size_t(index)]);
+		m_works.m_solvers[size_t(worker)]->solve(island, m_info, nullptr, m_dispatcher);
+	}
+};
+
+void SolverWorks::solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher)
+{
+	if (m_sharedIslands.empty())
+		return;
+	SharedIslands task(*this, info, dispatcher);
+	m_pool->run(task, int(m_sharedIslands.size()));
+	for (size_t worker = 1; worker < m_solvers.size(); ++worker)
+	{
+		m_solvers[0]->getStatistics() += m_solvers[worker]->getStatistics();
+		m_solvers[worker]->getStatistics() = btElasticPlasticStatistics();
+	}
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_SOLVER_WORKS_H
+#define BT_ELASTIC_PLASTIC_SOLVER_WORKS_H
+
+#include <memory>
+#include <vector>
+
+#include "IslandSolver.h"
+#include "Islands.h"
+#include "WorkerPool.h"
+
+namespace btElasticPlastic
+{
+/// What stands behind btElasticPlasticConstraintSolver: takes what Bullet hands over apart into islands, and has each solved, by
+/// the calling thread or by those of a worker pool.
+class SolverWorks
+{
+public:
+	SolverWorks();
+
+	void setSettings(const btElasticPlasticSolverSettings& settings);
+	const btElasticPlasticSolverSettings& getSettings() const { return m_settings; }
+	btElasticPlasticStatistics& getStatistics() { return m_solvers[0]->getStatistics(); }
+
+	/// Lets a solver of ours iterate with the same functions as one of Bullet's.
+	void takeRowSolvers(btSequentialImpulseConstraintSolver& from);
+
+	void beginStep();
+
+	/// Solves all of a group that depends on elastic-plastic joints. \return what does not, which is left to Bullet
+	SolverGroup solve(const SolverGroup& group, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
+					  btDispatcher* dispatcher);
+
+private:
+	struct SharedIslands;
+
+	/// \return whether there is any elastic-plastic joint
+	bool findJoints(const SolverGroup& group);
+	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
+
+	btElasticPlasticSolverSettings m_settings;
+	Islands m_islands;
+	btAlignedObjectArray<JointWorks*> m_joints;            ///< per constraint, null if it is not elastic-plastic
+	std::vector<std::unique_ptr<IslandSolver>> m_solvers;  ///< by worker, the calling thread's first
+	std::unique_ptr<WorkerPool> m_pool;                    ///< null: one thread
+	std::vector<int> m_sharedIslands;                      ///< that any worker may solve
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_SOLVER_WORKS_H

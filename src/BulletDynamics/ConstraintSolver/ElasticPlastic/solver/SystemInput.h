@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_SYSTEM_INPUT_H
+#define BT_ELASTIC_PLASTIC_SYSTEM_INPUT_H
+
+#include <stddef.h>
+#include <vector>
+
+namespace btElasticPlastic
+{
+/// What a System is to solve: bodies, and compliant rows between them with bounded impulses, in double whatever Bullet's
+/// precision.
+///
+/// The rows of a joint share axes and arms. They are a unit here, a fraction of the memory and of the arithmetic of as many
+/// single rows. Other constraints and contacts come as single rows.
+struct SystemInput
+{
+	struct Body
+	{
+		double m_mass[3];     ///< along the world's axes
+		double m_inertia[9];  ///< symmetric, positive definite, world coordinates
+	};
+
+	/// What a row asks for: J dv + C lambda = b where lambda is inside its bounds, else lambda at the bound.
+	struct Bounded
+	{
+		double m_target;      ///< b
+		double m_compliance;  ///< C > 0
+		double m_lower;
+		double m_upper;
+	};
+
+	/// Where the search begins.
+	struct Guess
+	{
+		double m_impulse = 0;     ///< of a contact
+		signed char m_bound = 0;  ///< -1 at the lower, 1 at the upper bound, 0 between
+	};
+
+	/// Rows along and about three axes through a point: J = [a, rA x a, -a, -rB x a] and [0, a, 0, -a].
+	struct Unit
+	{
+		double m_axis[3][3];  ///< a, at a right angle to each other, unit length
+		double m_arm[2][3];   ///< rA, rB: from the bodies' centres of mass to the point
+		int m_body[2];        ///< by index, -1: one that does not move
+		int m_firstRow;       ///< of m_rows
+		int m_numRows;
+		signed char m_dof[6];  ///< of each row: 0 to 2 along, 3 to 5 about an axis
+	};
+
+	struct SingleRow
+	{
+		double m_J[12];  ///< linear and angular part on one body, then on the other
+		int m_body[2];   ///< by index, -1: one that does not move
+		int m_row;       ///< of m_rows
+		/// Of the row's compliance, what an augmented Lagrangian may take away again to make a contact as hard as it is.
+		/// 0: not a contact.
+		double m_softening = 0;
+		int m_normal = -1;         ///< friction: the single row of its normal impulse
+		double m_friction = 0;     ///< friction: coefficient
+		double m_frictionMax = 0;  ///< friction: greatest bound, 0: none
+		bool m_isContact = false;
+	};
+
+	std::vector<Body> m_bodies;
+	std::vector<Unit> m_units;
+	std::vector<SingleRow> m_singleRows;
+	std::vector<Bounded> m_rows;  ///< of units and single rows, in the order in which they were added
+	std::vector<Guess> m_guess;   ///< of the same
+
+	void clear();
+
+	// The references are valid until the next one is added.
+	Body& addBody();
+	Unit& addUnit(int numRows);
+	SingleRow& addSingleRow();
+
+	int getNumBodies() const { return int(m_bodies.size()); }
+	int getNumRows() const { return int(m_rows.size()); }
+	int getNumSingleRows() const { return int(m_singleRows.size()); }
+};
+
+inline void SystemInput::clear()
+{
+	m_bodies.clear();
+	m_units.clear();
+	m_singleRows.clear();
+	m_rows.clear();
+	m_guess.clear();
+}
+
+inline SystemInput::Body& SystemInput::addBody()
+{
+	m_bodies.emplace_back();
+	return m_bodies.back();
+}
+
+inline SystemInput::Unit& SystemInput::addUnit(int numRows)
+{
+	m_units.emplace_back();
+	Unit& unit = m_units.back();
+	unit.m_firstRow = getNumRows();
+	unit.m_numRows = numRows;
+	m_rows.resize(m_rows.size() + size_t(numRows));
+	m_guess.resize(m_rows.size());
+	return unit;
+}
+
+inline SystemInput::SingleRow& SystemInput::addSingleRow()
+{
+	m_singleRows.emplace_back();
+	m_singleRows.back().m_row = getNumRows();
+	m_rows.emplace_back();
+	m_guess.emplace_back();
+	return m_singleRows.back();
+}
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_SYSTEM_INPUT_H

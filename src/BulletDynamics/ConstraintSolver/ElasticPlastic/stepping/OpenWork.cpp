@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "OpenWork.h"
+
+#include <math.h>
+
+#include "../../btElasticPlasticAction.h"
+#include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+
+namespace btElasticPlastic
+{
+void OpenWork::measure(const btDynamicsWorld& world, btElasticPlasticAction& action, double length, double ahead)
+{
+	m_length = length;
+	m_ahead = ahead;
+	addBodies(world);
+	addJoints(action);
+	m_share = m_mendableShare = 0;
+	for (int i = 0; i < m_islands.size(); ++i)
+	{
+		Island& island = m_islands[i];
+		if (island.m_openWork == 0)
+			continue;
+		// Of what is not held, the motion of the whole will not be dissipated.
+		for (int k = 0; k < 3 && !island.m_isHeld; ++k)
+			island.m_carried += 0.5 * island.m_momentum[k] * island.m_momentum[k] / island.m_mass;
+		island.m_energy -= island.m_carried;
+		const double energy = btMax(island.m_energy, island.m_openWork);
+		m_share = btMax(m_share, island.m_openWork / energy);
+		m_mendableShare = btMax(m_mendableShare, (island.m_openWork - island.m_roundedWork) / energy);
+	}
+}
+
+void OpenWork::addBodies(const btDynamicsWorld& world)
+{
+	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+	const Island none = {0, 0, 0, 0, {0, 0, 0}, 0, false};
+	m_islands.resize(0);
+	m_islands.resize(objects.size(), none);
+	for (int i = 0; i < objects.size(); ++i)
+	{
+		const btRigidBody* const body = btRigidBody::upcast(objects[i]);
+		if (!body || body->getInvMass() == 0 || !body->isActive())
+			continue;
+		const int tag = body->getIslandTag();
+		if (tag < 0 || tag >= m_islands.size())
+			continue;
+		Island& island = m_islands[tag];
+		const double mass = 1 / double(body->getInvMass());
+		const btVector3& v = body->getLinearVelocity();
+		const btVector3 spin = body->getAngularVelocity() * body->getCenterOfMassTransform().getBasis();
+		island.m_mass += mass;
+		for (int k = 0; k < 3; ++k)
+		{
+			island.m_momentum[k] += mass * double(v[k]);
+			island.m_energy += 0.5 * mass * double(v[k]) * double(v[k]);
+			if (body->getInvInertiaDiagLocal()[k] > 0)
+				island.m_energy += 0.5 * double(spin[k]) * double(spin[k]) / double(body->getInvInertiaDiagLocal()[k]);
+		}
+	}
+}
+
+void OpenWork::addJoints(btElasticPlasticAction& action)
+{
+	for (int i = action.getNumJoints() - action.getNumBroken() - 1; i >= 0; --i)
+	{
+		const btElasticPlasticJoint& joint = *action.getJoint(i);
+		const btRigidBody &a = joint.getConstraint().getRigidBodyA(), &b = joint.getConstraint().getRigidBodyB();
+		const bool isHeld = a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject();
+		const int tag = (a.isStaticOrKinematicObject() ? b : a).getIslandTag();
+		if (tag < 0 || tag >= m_islands.size())
+			continue;
+		Island& island = m_islands[tag];
+		if (isHeld)
+			addSupport(island, a.isStaticOrKinematicObject() ? a : b, joint.getPosition());
+		const double place = double(joint.getPosition().length()) + 1;
+		for (int r = 0; r < joint.getNumCommittedRows(); ++r)
+			addRow(island, joint, r, place);
+	}
+}
+
+/// What moves with its support has that much less to be dissipated; of several supports the one that leaves least.
+void OpenWork::addSupport(Island& island, const btRigidBody& support, const btVector3& place)
+{
+	const btVector3 v = support.getVelocityInLocalPoint(place - support.getCenterOfMassPosition());
+	double carried = 0;
+	for (int k = 0; k < 3; ++k)
+		carried += double(v[k]) * (island.m_momentum[k] - 0.5 * island.m_mass * double(v[k]));
+	island.m_carried = island.m_isHeld ? btMax(island.m_carried, carried) : carried;
+	island.m_isHeld = true;
+}
+
+void OpenWork::addRow(Island& island, const btElasticPlasticJoint& joint, int r, double place) const
+{
+	int dof;
+	btScalar before, after;
+	joint.getCommittedRow(r, dof, before, after);
+	const btElasticPlasticCapacity& capacity = joint.getCapacity();
+	const double yield = capacity.m_yield[dof], change = fabs(double(after - before));
+	// Rigid up to yield: what has not flowed has nothing to leave open, and no energy to set the solver's rounding against.
+	if (capacity.isRigidPlastic(dof) && joint.getPlasticPath(dof) == 0)
+		return;
+	if (!capacity.isRigidPlastic(dof))
+	{
+		const double stiffness = capacity.m_stiffness[dof];
+		// Where the force gets to within a step: nothing is near yield that stays below half of it.
+		const double ahead = fabs(double(joint.getForce(dof))) +
+							 stiffness * m_ahead * (fabs(double(after)) + change * m_ahead / (2 * m_length));
+		if (joint.getPlasticPath(dof) == 0 && ahead < yield / 2)
+			return;
+		island.m_energy += 0.5 * yield * yield / stiffness;
+	}
+	island.m_energy += yield * fabs(double(joint.getPlasticDeformation(dof)));
+	island.m_openWork += yield * m_length * change;
+	const double rounding = 4 * double(SIMD_EPSILON) * (dof < 3 ? place : 1.);
+	island.m_roundedWork += yield * btMin(m_length * change, rounding);
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_SCENE_SURVEY_H
+#define BT_ELASTIC_PLASTIC_SCENE_SURVEY_H
+
+#include "LinearMath/btScalar.h"
+
+class btElasticPlasticAction;
+
+namespace btElasticPlastic
+{
+/// A world as far as it matters to what can be left out of its computation.
+struct SceneSurvey
+{
+	int m_joints = 0;
+	int m_bodies = 0;     ///< that are joined and move
+	int m_depth = 0;      ///< joints from a support to the body farthest from it; without supports: 0
+	int m_stiff = 0;      ///< degrees of freedom whose period is shorter than two steps
+	int m_springs = 0;    ///< degrees of freedom that spring
+	int m_endless = 0;    ///< degrees of freedom that never yield
+	int m_colliding = 0;  ///< joined bodies that may touch others
+	double m_shortest = SIMD_INFINITY, m_longest = 0;  ///< periods of single degrees of freedom [s]
+	double m_massRatio = 1;                            ///< the largest between neighbours
+	double m_slenderness = 0;  ///< length of a body along its joint over its least edge, the largest
+};
+
+/// Surveys the joints that an action knows and that are whole, and their bodies.
+/// \param step  of the game [s]
+SceneSurvey surveyScene(btElasticPlasticAction& action, double step);
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_SCENE_SURVEY_H

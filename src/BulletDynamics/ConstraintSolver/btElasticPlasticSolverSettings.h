@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_SOLVER_SETTINGS_H
+#define BT_ELASTIC_PLASTIC_SOLVER_SETTINGS_H
+
+#include "btElasticPlasticFault.h"
+
+/// How islands with elastic-plastic joints are solved.
+enum btElasticPlasticForm
+{
+	BT_EP_DIRECT,    ///< exactly, by a sparse factorisation, contacts and other constraints included
+	BT_EP_ITERATIVE  ///< by Bullet's sequential impulses with exact soft rows: as good as its iterations
+};
+
+/// All settings of btElasticPlasticConstraintSolver, assigned by value.
+struct btElasticPlasticSolverSettings
+{
+	/// To be chosen once: what iterations have left unsolved is strain that the direct form takes seriously.
+	btElasticPlasticForm m_form = BT_EP_DIRECT;
+
+	/// How many threads solve islands at the same time, the calling one included, 1 to MAX_THREADS. For small islands with
+	/// elastic-plastic joints, direct form only; it pays from some dozens of them, in worlds with setSplitIslands(false), or
+	/// Bullet hands over few at a time. The number of threads changes no bit of the result.
+	int m_numThreads = 1;
+
+	// ---- the direct form
+
+	/// The longest search for the rows at their bounds in Newton steps, >= 0. An island that takes more is left to the
+	/// iterative form, and the statistics count it (btElasticPlasticStatistics::m_fallbacks).
+	int m_maxNewtonSteps = 200;
+
+	/// Rounds that make contacts as hard as they are, >= 0: each gains about two digits.
+	int m_maxContactLoops = 20;
+
+	/// Contacts are exact when what they still slip or penetrate is below this, relative to the fastest approach, > 0.
+	double m_contactTolerance = 1e-3;
+
+	/// The factor that a large island kept from the last step is used as long as so few iterations of conjugate gradients with it
+	/// are enough, >= 0; 0: never.
+	int m_maxIterations = 8;
+
+	/// Residual at which these iterations end, relative to the right side, > 0.
+	double m_iterationTolerance = 1e-11;
+
+	/// The widest vectors that the factorisation may use, in doubles: 2, 4 or 8; the processor may have less. Different widths
+	/// differ by rounding: 2 makes all x86-64 processors agree to the bit, at up to twice the time.
+	int m_maxVectorWidth = 8;
+
+	static constexpr int MAX_THREADS = 64;
+
+	/// First setting that is out of its range.
+	btElasticPlasticFault fault() const;
+};
+
+#endif  // BT_ELASTIC_PLASTIC_SOLVER_SETTINGS_H
