@@ -255,27 +255,6 @@ TEST(Action, DoesNothingToJointsThatWereNotSolved)
 	EXPECT_EQ(before.m_force[0], row.m_joints[0]->getState().m_force[0]);
 }
 
-TEST(Action, EvaluatingChangesNothing)
-{
-	// Trial and revert: rows may be asked for as often as one likes; only a commit moves the state.
-	Row row(1);
-	row.run(20);
-	btElasticPlasticJoint* joint = row.m_joints[0];
-	const btElasticPlasticState before = joint->getState();
-	for (int i = 0; i < 5; ++i)
-	{
-		EXPECT_EQ(6, joint->prepare());
-		joint->revert();
-		EXPECT_EQ(0, joint->commit());
-	}
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-	{
-		EXPECT_EQ(before.m_force[i], joint->getState().m_force[i]);
-		EXPECT_EQ(before.m_plastic[i], joint->getState().m_plastic[i]);
-	}
-	EXPECT_EQ(before.m_work, joint->getState().m_work);
-}
-
 TEST(Action, StatesCanBeSavedAndPutBack)
 {
 	Row row(1, Solver::Iterative, 10);
