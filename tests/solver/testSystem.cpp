@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// The system of rows against a dense reference: projected Gauss-Seidel on the dual problem, iterated until it stands still.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/System.h"
+
+namespace
+{
+using btElasticPlastic::System;
+using btElasticPlastic::SystemInput;
+
+/// A chain of bodies, the first one held by the ground, with random axes, arms, compliances and bounds.
+SystemInput randomChain(int numBodies, double tightness, unsigned seed)
+{
+	std::mt19937 random(seed);
+	std::uniform_real_distribution<double> share(0, 1);
+	const auto between = [&](double low, double high) { return low + (high - low) * share(random); };
+	SystemInput input;
+	for (int b = 0; b < numBodies; ++b)
+	{
+		SystemInput::Body& body = input.addBody();
+		for (double& mass : body.m_mass)
+			mass = between(1, 3);
+		for (int i = 0; i < 3; ++i)
+			for (int j = 0; j < 3; ++j)
+				body.m_inertia[3 * i + j] = i == j ? between(0.5, 1) : 0.1;
+	}
+	for (int b = 0; b < numBodies; ++b)
+	{
+		const int numRows = 3 + b % 4;
+		SystemInput::Unit& unit = input.addUnit(numRows);
+		const double angle = between(0, 3);
+		const double axes[3][3] = {
+			{std::cos(angle), std::sin(angle), 0}, {-std::sin(angle), std::cos(angle), 0}, {0, 0, 1}};
+		for (int a = 0; a < 3; ++a)
+			for (int i = 0; i < 3; ++i)
+			{
+				unit.m_axis[a][i] = axes[a][i];
+				if (a < 2)
+					unit.m_arm[a][i] = between(-1, 1);
+			}
+		unit.m_body[0] = b - 1;
+		unit.m_body[1] = b;
+		for (int r = 0; r < numRows; ++r)
+			unit.m_dof[r] = static_cast<signed char>((r + b) % 6);
+	}
+	// A single row joins the chain's ends.
+	SystemInput::SingleRow& loop = input.addSingleRow();
+	for (double& element : loop.m_J)
+		element = between(-1, 1);
+	loop.m_body[0] = 0;
+	loop.m_body[1] = numBodies - 1;
+	for (SystemInput::Bounded& row : input.m_rows)
+	{
+		row.m_target = between(-1, 1);
+		row.m_compliance = between(0.01, 1);
+		row.m_lower = -tightness * between(0.1, 1);
+		row.m_upper = tightness * between(0.1, 1);
+	}
+	return input;
+}
+
+typedef std::vector<double> Row;
+
+/// All Jacobians, dense: 6 columns a body.
+std::vector<Row> jacobians(const SystemInput& input)
+{
+	std::vector<Row> all(input.m_rows.size(), Row(6 * input.m_bodies.size(), 0.));
+	const auto cross = [](const double* a, const double* b, int i)
+	{ return a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3]; };
+	for (const SystemInput::Unit& unit : input.m_units)
+		for (int r = 0; r < unit.m_numRows; ++r)
+			for (int side = 0; side < 2; ++side)
+			{
+				if (unit.m_body[side] < 0)
+					continue;
+				double* to = &all[size_t(unit.m_firstRow + r)][6 * size_t(unit.m_body[side])];
+				const double sign = side == 0 ? 1 : -1;
+				const double* axis = unit.m_axis[unit.m_dof[r] % 3];
+				for (int i = 0; i < 3; ++i)
+					if (unit.m_dof[r] < 3)
+					{
+						to[i] = sign * axis[i];
+						to[3 + i] = sign * cross(unit.m_arm[side], axis, i);
+					}
+					else
+						to[3 + i] = sign * axis[i];
+			}
+	for (const SystemInput::SingleRow& row : input.m_singleRows)
+		for (int side = 0; side < 2; ++side)
+			for (int i = 0; i < 6 && row.m_body[side] >= 0; ++i)
+				all[size_t(row.m_row)][6 * size_t(row.m_body[side]) + size_t(i)] = row.m_J[6 * side + i];
+	return all;
+}
+
+/// M^-1 x of all bodies.
+Row overMass(const SystemInput& input, Row x)
+{
+	for (size_t b = 0; b < input.m_bodies.size(); ++b)
+	{
+		const SystemInput::Body& body = input.m_bodies[b];
+		for (size_t i = 0; i < 3; ++i)
+			x[6 * b + i] /= body.m_mass[i];
+		// Cramer's rule.
+		const double* I = body.m_inertia;
+		const auto det = [](const double* m)
+		{
+			return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+				   m[2] * (m[3] * m[7] - m[4] * m[6]);
+		};
+		double solution[3];
+		for (int c = 0; c < 3; ++c)
+		{
+			double replaced[9];
+			std::copy(I, I + 9, replaced);
+			for (int r = 0; r < 3; ++r)
+				replaced[3 * r + c] = x[6 * b + 3 + size_t(r)];
+			solution[c] = det(replaced) / det(I);
+		}
+		std::copy(solution, solution + 3, &x[6 * b + 3]);
+	}
+	return x;
+}
+
+double dot(const Row& a, const Row& b)
+{
+	double sum = 0;
+	for (size_t i = 0; i < a.size(); ++i)
+		sum += a[i] * b[i];
+	return sum;
+}
+
+/// Impulses by projected Gauss-Seidel, and the velocities they give.
+void reference(const SystemInput& input, Row& impulses, Row& velocity)
+{
+	const std::vector<Row> J = jacobians(input);
+	std::vector<Row> MJ;
+	for (const Row& row : J)
+		MJ.push_back(overMass(input, row));
+	impulses.assign(J.size(), 0.);
+	velocity.assign(6 * input.m_bodies.size(), 0.);
+	double change = 1;
+	for (int sweep = 0; sweep < 200000 && change > 1e-15; ++sweep)
+	{
+		change = 0;
+		for (size_t i = 0; i < J.size(); ++i)
+		{
+			const SystemInput::Bounded& row = input.m_rows[i];
+			const double rest = row.m_target - dot(J[i], velocity) - row.m_compliance * impulses[i];
+			const double wanted = impulses[i] + rest / (dot(J[i], MJ[i]) + row.m_compliance);
+			const double next = std::max(row.m_lower, std::min(row.m_upper, wanted));
+			for (size_t k = 0; k < velocity.size(); ++k)
+				velocity[k] += MJ[i][k] * (next - impulses[i]);
+			change = std::max(change, std::fabs(next - impulses[i]));
+			impulses[i] = next;
+		}
+	}
+	ASSERT_LE(change, 1e-15);
+}
+
+// Both solve the same strictly convex problem in double: what is left is the conditioning, some 1e3, times rounding, and the
+// sweeps' last change over one less their rate of convergence.
+const double EXACT = 1e-10;
+
+TEST(System, AgreesWithADenseReference)
+{
+	// Bounds that nothing reaches, that half of the rows reach, that nearly all do.
+	for (const double tightness : {1e6, 0.3, 0.01})
+		for (const int numBodies : {2, 5, 12})
+			for (unsigned seed = 1; seed <= 5; ++seed)
+			{
+				SystemInput input = randomChain(numBodies, tightness, seed);
+				Row impulses, velocity;
+				reference(input, impulses, velocity);
+				btElasticPlasticStatistics statistics;
+				System system(statistics);
+				int islandId = 0;
+				ASSERT_TRUE(system.solve(input, islandId));
+				for (int i = 0; i < input.getNumRows(); ++i)
+				{
+					EXPECT_NEAR(impulses[size_t(i)], system.getImpulse(i), EXACT) << numBodies << " bodies, row " << i;
+					const SystemInput::Bounded& row = input.m_rows[size_t(i)];
+					const int bound = *system.getBounds(i);
+					EXPECT_EQ(bound > 0   ? row.m_upper
+							  : bound < 0 ? row.m_lower
+										  : system.getImpulse(i),
+							  system.getImpulse(i));
+				}
+				for (int b = 0; b < numBodies; ++b)
+					for (int k = 0; k < 6; ++k)
+						EXPECT_NEAR(velocity[size_t(6 * b + k)], system.getVelocityChange(b)[k], EXACT);
+			}
+}
+
+TEST(System, BeginsWithTheBoundsOfTheLastSolution)
+{
+	SystemInput input = randomChain(12, 0.05, 3);
+	btElasticPlasticStatistics statistics;
+	System system(statistics);
+	int islandId = 0;
+	ASSERT_TRUE(system.solve(input, islandId));
+	EXPECT_GT(statistics.m_newtonSteps, 0);
+	for (int i = 0; i < input.getNumRows(); ++i)
+		input.m_guess[size_t(i)].m_bound = *system.getBounds(i);
+	statistics = btElasticPlasticStatistics();
+	ASSERT_TRUE(system.solve(input, islandId));
+	EXPECT_EQ(0, statistics.m_newtonSteps);
+	EXPECT_EQ(1, statistics.m_factorisations);
+}
+
+TEST(System, GivesUpWhenTheSearchIsTooShort)
+{
+	SystemInput input = randomChain(12, 0.05, 3);
+	btElasticPlasticStatistics statistics;
+	System system(statistics);
+	btElasticPlasticSolverSettings settings;
+	settings.m_maxNewtonSteps = 0;
+	system.setSettings(settings);
+	int islandId = 0;
+	EXPECT_FALSE(system.solve(input, islandId));
+}
+
+/// A body of 2 kg that falls at 3 m/s on the ground, with friction in one direction, along which it slides at 1 m/s.
+SystemInput slidingBody(double friction)
+{
+	SystemInput input;
+	SystemInput::Body& body = input.addBody();
+	for (int i = 0; i < 3; ++i)
+		body.m_mass[i] = 2;
+	for (int i = 0; i < 9; ++i)
+		body.m_inertia[i] = i % 4 == 0 ? 1 : 0;
+	const double target[2] = {3, -1};
+	for (int r = 0; r < 2; ++r)
+	{
+		SystemInput::SingleRow& row = input.addSingleRow();
+		std::fill(row.m_J, row.m_J + 12, 0.);
+		row.m_J[r] = 1;
+		row.m_body[0] = 0;
+		row.m_body[1] = -1;
+		row.m_isContact = true;
+		row.m_softening = 0.005;
+		row.m_normal = r == 0 ? -1 : 0;
+		row.m_friction = r == 0 ? 0 : friction;
+		input.m_rows[size_t(row.m_row)] = {target[r], 1e-12 + row.m_softening, 0, 1e30};
+	}
+	return input;
+}
+
+TEST(System, ContactsAreHardAndFrictionIsBoundedByThem)
+{
+	for (const double friction : {0.1, 1.})
+	{
+		SystemInput input = slidingBody(friction);
+		btElasticPlasticStatistics statistics;
+		System system(statistics);
+		int islandId = 0;
+		ASSERT_TRUE(system.solve(input, islandId));
+		// The normal impulse stops the fall, 2 kg x 3 m/s; friction takes 0.1 of it, or what stops the sliding, 2 N s.
+		// Contacts are solved to a thousandth of the fastest approach.
+		EXPECT_NEAR(6, system.getImpulse(0), 2 * 3e-3);
+		EXPECT_NEAR(friction < 0.2 ? -0.6 : -2, system.getImpulse(1), 2 * 3e-3);
+		EXPECT_EQ(0, statistics.m_looseContacts);
+	}
+}
+}  // namespace
