@@ -14,7 +14,7 @@ struct Pair
 	ep::World m_world;
 	btRigidBody* m_a;
 	btRigidBody* m_b;
-	btTransform m_frame = at(0.5);
+	btTransform m_frame = ep::at(0.5);
 
 	/// \param massA  0: a fixed one
 	explicit Pair(ep::Solver solver = ep::Solver::Iterative, btScalar massA = 0, btScalar massB = 12,
@@ -22,8 +22,8 @@ struct Pair
 		: m_world(solver, gravity)
 	{
 		btCollisionShape* cube = m_world.box(btVector3(1, 1, 1));
-		m_a = m_world.body(massA, cube, at(0), collides);
-		m_b = m_world.body(massB, cube, at(1), collides);
+		m_a = m_world.body(massA, cube, ep::at(0), collides);
+		m_b = m_world.body(massB, cube, ep::at(1), collides);
 	}
 
 	btElasticPlasticJoint* join(const btElasticPlasticCapacity& capacity,

@@ -79,7 +79,9 @@ bool JointStep::evaluate(btScalar dt)
 	const btVector3 linear =
 		A.getVelocityInLocalPoint(m_kinematics.m_rA) - B.getVelocityInLocalPoint(m_kinematics.m_rB);
 	btScalar velocity[BT_EP_DOF_COUNT];
-	project(linear, A.getAngularVelocity() - B.getAngularVelocity(), velocity);
+	m_spin0 = A.getAngularVelocity() - B.getAngularVelocity();
+	m_dampingImpulse.setZero();
+	project(linear, m_spin0, velocity);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		m_row[r].m_velocity0 = velocity[m_row[r].m_dof];
@@ -172,6 +174,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 		row.m_soft = makeRow(r, row.m_diagonal, erp, false);
 		row.m_bound = m_lastBound[row.m_dof];
 	}
+	rows.m_damping = m_model.m_isPaper ? TensionDamping() : TensionDamping::of(m_model, k, dt);
 	return true;
 }
 
@@ -221,7 +224,7 @@ int JointStep::commit()
 
 	btElasticPlasticState& state = m_model.m_state;
 	const btScalar rate = 1 / m_dt;
-	double work = 0;
+	double work = double(m_dampingImpulse.dot(m_spin0 + wA - wB));
 	bool flowed = false;
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{

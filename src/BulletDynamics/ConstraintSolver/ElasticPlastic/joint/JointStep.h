@@ -6,6 +6,7 @@
 
 #include "JointModel.h"
 #include "PaperLaw.h"
+#include "TensionDamping.h"
 
 namespace btElasticPlastic
 {
@@ -23,6 +24,7 @@ struct JointRows
 	Kinematics m_kinematics;  ///< gives the Jacobians
 	int m_numRows;
 	Row m_row[BT_EP_DOF_COUNT];
+	TensionDamping m_damping;
 };
 
 /// One step of a joint: from pose and velocities to rows, from impulses and bounds to the next state.
@@ -72,6 +74,9 @@ public:
 		m_lastBound[m_row[r].m_dof] = static_cast<signed char>(bound);
 	}
 	btScalar getImpulse(int r) const { return m_row[r].m_impulse; }
+
+	/// What tension damping has applied about the common point [N m s], on body A.
+	void setDampingImpulse(const btVector3& impulse) { m_dampingImpulse = impulse; }
 
 	/// Impulses as a force and a torque about the joint's common point [N], [N m], on body A.
 	void getLoad(btVector3& force, btVector3& torque) const;
@@ -126,6 +131,8 @@ private:
 	btScalar m_dt = 0;
 	bool m_hasDrift = false;
 	btScalar m_drift[BT_EP_DOF_COUNT];  ///< strain that this step takes out of the joint, see takeBackDrift()
+	btVector3 m_dampingImpulse;
+	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];
 	signed char m_lastBound[BT_EP_DOF_COUNT] = {};

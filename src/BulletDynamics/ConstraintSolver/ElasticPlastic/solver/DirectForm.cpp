@@ -121,9 +121,12 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 									   B.m_linearVelocity - B.m_externalForceImpulse - wB.cross(k.m_rB),
 								   wA - wB};
 	const double most = joint.m_model.m_constraint.getBreakingImpulseThreshold();
-	Joint entry = {&joint, m_input.getNumRows(), false};
+	Joint entry = {&joint, m_input.getNumRows(), int(m_input.m_units.size()), 0, false};
 	if (isFree(A) && isFree(B))
-		addUnit(rows, solverBodies);
+	{
+		entry.m_numDamping = addUnit(rows, solverBodies);
+		addDamping(rows, velocity[1], entry);
+	}
 	else
 		addUnitAsSingleRows(rows, solverBodies, pools);
 	for (int r = 0; r < rows.m_numRows; ++r)
@@ -141,10 +144,14 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 	m_joints.push_back(entry);
 }
 
-void DirectForm::addUnit(const JointRows& rows, const int solverBodies[2])
+/// \return number of rows of tension damping, which come last
+int DirectForm::addUnit(const JointRows& rows, const int solverBodies[2])
 {
 	const Kinematics& k = rows.m_kinematics;
-	SystemInput::Unit& unit = m_input.addUnit(rows.m_numRows);
+	int numDamping = 0;
+	for (int i = 0; i < 3; ++i)
+		numDamping += rows.m_damping.m_isAbout[i];
+	SystemInput::Unit& unit = m_input.addUnit(rows.m_numRows + numDamping);
 	for (int i = 0; i < 3; ++i)
 	{
 		for (int axis = 0; axis < 3; ++axis)
@@ -154,8 +161,25 @@ void DirectForm::addUnit(const JointRows& rows, const int solverBodies[2])
 	}
 	for (int side = 0; side < 2; ++side)
 		unit.m_body[side] = m_index[solverBodies[side]];
-	for (int r = 0; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
+	int r = 0;
+	for (; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
 		unit.m_dof[r] = static_cast<signed char>(rows.m_row[r].m_dof);
+	for (int i = 0; i < 3; ++i)
+		if (rows.m_damping.m_isAbout[i])
+			unit.m_dof[r++] = static_cast<signed char>(3 + i);
+	return numDamping;
+}
+
+/// \param spin  relative, with external torques
+void DirectForm::addDamping(const JointRows& rows, const btVector3& spin, const Joint& joint)
+{
+	const SystemInput::Unit& unit = m_input.m_units.back();
+	for (int r = rows.m_numRows; r < unit.m_numRows; ++r)
+	{
+		const btVector3& axis = rows.m_kinematics.m_axis[unit.m_dof[r] - 3];
+		m_input.m_rows[joint.m_firstRow + r] = {-double(spin.dot(axis)), 1 / double(rows.m_damping.m_factor),
+												-UNBOUNDED, UNBOUNDED};
+	}
 }
 
 /// For bodies that may not move in every direction: their rows have less than a joint's Jacobian.
@@ -302,12 +326,27 @@ void DirectForm::writeResult(const SolverPools& pools) const
 			(*pool)[i].m_appliedImpulse = btScalar(m_system.getImpulse(m_input.m_singleRows[row++].m_row));
 }
 
+btVector3 DirectForm::dampingImpulse(const Joint& joint) const
+{
+	const SystemInput::Unit& unit = m_input.m_units[size_t(joint.m_unit)];
+	btVector3 sum(0, 0, 0);
+	for (int r = unit.m_numRows - joint.m_numDamping; r < unit.m_numRows; ++r)
+	{
+		const double* const axis = unit.m_axis[unit.m_dof[r] - 3];
+		sum += btVector3(btScalar(axis[0]), btScalar(axis[1]), btScalar(axis[2])) *
+			   btScalar(m_system.getImpulse(unit.m_firstRow + r));
+	}
+	return sum;
+}
+
 void DirectForm::finish()
 {
 	const signed char between[BT_EP_DOF_COUNT] = {};
 	for (int j = 0; j < m_joints.size(); ++j)
 	{
 		const Joint& joint = m_joints[j];
+		if (joint.m_numDamping > 0)
+			joint.m_works->m_step.setDampingImpulse(dampingImpulse(joint));
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),
 								   joint.m_isCut ? between : m_system.getBounds(joint.m_firstRow));
 	}

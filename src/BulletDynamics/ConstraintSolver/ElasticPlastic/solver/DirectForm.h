@@ -43,12 +43,16 @@ private:
 	struct Joint
 	{
 		JointWorks* m_works;
-		int m_firstRow;  ///< of the system
-		bool m_isCut;    ///< Bullet's breaking threshold is below a bound: being there is no flow
+		int m_firstRow;    ///< of the system
+		int m_unit;        ///< of the system, if its bodies are free
+		int m_numDamping;  ///< rows of tension damping, the unit's last ones
+		bool m_isCut;      ///< Bullet's breaking threshold is below a bound: being there is no flow
 	};
 
 	void addBodies(const SolverPools& pools);
-	void addUnit(const JointRows& rows, const int solverBodies[2]);
+	int addUnit(const JointRows& rows, const int solverBodies[2]);
+	void addDamping(const JointRows& rows, const btVector3& spin, const Joint& joint);
+	btVector3 dampingImpulse(const Joint& joint) const;
 	void addUnitAsSingleRows(const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
 	SystemInput::SingleRow& addRow(const btSolverConstraint& row, const SolverPools& pools);
 	SystemInput::SingleRow& addContactRow(const btSolverConstraint& row, const SolverPools& pools);

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "TensionDamping.h"
+
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// Below this (w dt)^2 the explicit stiffness is far from its limit of 4.
+const btScalar RESOLVED = 1;
+/// Of z at which damping has to grow, a quarter of what a row of equal blocks bears.
+const btScalar LIMIT = 20;
+/// Cosine of the angle within which an axis is the line of centres.
+const btScalar ALONG = btScalar(0.9);
+
+btScalar leastInertia(const btRigidBody& body)
+{
+	const btVector3& inverse = body.getInvInertiaDiagLocal();
+	return 1 / btMax(inverse.x(), btMax(inverse.y(), inverse.z()));
+}
+}  // namespace
+
+TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, btScalar dt)
+{
+	TensionDamping damping;
+	const btRigidBody &A = model.bodyA(), &B = model.bodyB();
+	if (A.getInvMass() == 0 || B.getInvMass() == 0 || A.isKinematicObject() || B.isKinematicObject())
+		return damping;
+	const btVector3 chord = k.m_rA - k.m_rB;
+	const btScalar length = chord.length();
+	if (!(length > 0))
+		return damping;
+	const btVector3 along = chord / length;
+	const btScalar *const force = model.m_state.m_force, armA = k.m_rA.dot(along), armB = -k.m_rB.dot(along);
+	const btScalar tension = (k.m_axis[0] * force[0] + k.m_axis[1] * force[1] + k.m_axis[2] * force[2]).dot(along);
+	if (!(tension > 0 && armA > 0 && armB > 0))
+		return damping;
+	const btScalar stiffness = tension * armA * armB / length;
+	const btScalar z = 2 * stiffness * dt * dt * (1 / leastInertia(A) + 1 / leastInertia(B));
+	if (!(z > RESOLVED) || !btElasticPlasticIsFinite(z))
+		return damping;
+	damping.m_factor = stiffness * dt * dt * btMax(btScalar(1), z / LIMIT);
+	bool hasAlong = false;
+	for (int i = 0; i < 3; ++i)
+		hasAlong |= btFabs(k.m_axis[i].dot(along)) > ALONG;
+	// A line askew to all axes has damping about all of them, its own direction included.
+	for (int i = 0; i < 3; ++i)
+		damping.m_isAbout[i] = !hasAlong || btFabs(k.m_axis[i].dot(along)) <= ALONG;
+	return damping;
+}
+}  // namespace btElasticPlastic
