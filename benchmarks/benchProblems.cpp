@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "problems/Problem.h"
+#include "problems/Catalogue.h"
 
 namespace
 {

@@ -11,7 +11,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "StiffStructure.h"
-#include "cli/OutputFiles.h"
+#include "text/OutputFiles.h"
 #include "plot/Plot.h"
 
 namespace

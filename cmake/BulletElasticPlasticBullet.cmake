@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+# SPDX-License-Identifier: Zlib
+
 # Finds Bullet, for our build as for a project that uses our installed package.
 #
 #   ep_find_bullet(<variable> [<precision>])  the precisions that the Bullet at hand comes in: float, double or both;

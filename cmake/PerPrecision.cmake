@@ -1,3 +1,6 @@
+# SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+# SPDX-License-Identifier: Zlib
+
 # One set of sources, two precisions. Each function makes the target <name> on the float library and <name>-float64
 # on the double one; what stands after LINK and comes in both is given by its plain name.
 #

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <iostream>
 
-#include "CharpyOptions.h"
-#include "view/CharpyPictures.h"
-#include "studies/CharpyReport.h"
-#include "view/CharpyScene.h"
-#include "studies/CharpyStudies.h"
-#include "cli/OptionRange.h"
-#include "cli/OutputFiles.h"
+#include "test/Options.h"
+#include "view/Pictures.h"
+#include "studies/Report.h"
+#include "view/Scene.h"
+#include "studies/Studies.h"
+#include "cli/WindowOptions.h"
+#include "text/OutputFiles.h"
 #ifdef EP_WITH_VIEWER
 #include "viewer/Viewer.h"
 #endif
@@ -25,14 +25,12 @@ struct Options
 		app.add_flag("--headless", headless,
 					 "No window: one line on the terminal, summary.json, energy.csv and energy.svg");
 		app.add_flag("--pictures", pictures, "Leave pictures of the test, and no more");
-		app.add_option("--screenshot", screenshot, "Open the window, save a PNG there, and end");
-		app.add_option("--after", after, "Time in the window before the screenshot [s]")
-			->capture_default_str()
-			->check(ep::optionRange(0.0, 60.0));
+		window.screenshotTime = 3;
+		ep::addWindowOptions(app, window);
 		app.add_option("--out", out, "Directory for what is left")->capture_default_str();
 		std::vector<std::string> names = {"all"};
 		std::string help = "Many tests with these settings, their results as a table, CSV and SVG: all";
-		for (const ep::CharpyStudy& s : ep::charpyStudies())
+		for (const ep::charpy::Study& s : ep::charpy::studies())
 		{
 			names.push_back(s.name);
 			help += std::string("; ") + s.name + ": " + s.help;
@@ -40,50 +38,41 @@ struct Options
 		app.add_option("--study", study, help)->check(CLI::IsMember(names));
 	}
 
-	ep::CharpyOptions scene;
+	ep::charpy::Options scene;
 	bool headless = false, pictures = false;
-	std::string screenshot;
-	double after = 3;
+	ep::WindowOptions window;
 	std::string out = "charpy-output";
 	std::string study;
 };
 
 void runStudies(const Options& o)
 {
-	const ep::CharpySettings settings = o.scene.settings();
+	const ep::charpy::Settings settings = o.scene.settings();
 	ep::makeDirectory(o.out);
-	for (const ep::CharpyStudy& study : ep::charpyStudies())
+	for (const ep::charpy::Study& study : ep::charpy::studies())
 		if (o.study == "all" || o.study == study.name)
 		{
-			const ep::CharpyTable table = study.run(settings);
+			const ep::charpy::Table table = study.run(settings);
 			std::printf("%s", table.toText().c_str());
-			std::printf("  in %s\n\n", ep::writeTable(table, o.out).c_str());
+			std::printf("  in %s\n\n", ep::charpy::writeTable(table, o.out).c_str());
 			std::fflush(stdout);
 		}
 }
-bool hasDisplay()
-{
-#if !defined(EP_WITH_VIEWER)
-	return false;
-#elif defined(__unix__) && !defined(__APPLE__)
-	const char* const display = std::getenv("DISPLAY");
-	return display && *display;
-#else
-	return true;
-#endif
-}
 
-void runWindow(const Options& o)
+/// \return whether there can be a window
+bool runWindow(const Options& o)
 {
 #ifdef EP_WITH_VIEWER
-	ep::CharpyScene scene(o.scene.settings());
-	ep::ViewerOptions viewer;
-	viewer.screenshot = o.screenshot;
-	viewer.screenshotTime = o.after;
-	ep::runViewer(scene, viewer);
+	if (ep::hasDisplay())
+	{
+		ep::charpy::Scene scene(o.scene.settings());
+		ep::runViewer(scene, o.window);
+		return true;
+	}
 #else
 	(void)o;
 #endif
+	return false;
 }
 
 void run(const Options& o)
@@ -93,14 +82,14 @@ void run(const Options& o)
 	if (o.pictures)
 	{
 		ep::makeDirectory(o.out);
-		return ep::takeCharpyPictures(o.scene.settings(), o.out);
+		return ep::charpy::takePictures(o.scene.settings(), o.out);
 	}
-	if (!o.headless && hasDisplay())
-		return runWindow(o);
-	if (!o.screenshot.empty())
+	if (!o.headless && runWindow(o))
+		return;
+	if (o.window.isFilmed())
 		throw std::runtime_error(
-			"no screenshot of the window: there is no display, or it was built without the viewer");
-	std::printf("%s\n", toLine(ep::runAndReport(o.scene.settings(), o.out)).c_str());
+			"no picture or film of the window: there is no display, or it was built without the viewer");
+	std::printf("%s\n", toLine(ep::charpy::runAndReport(o.scene.settings(), o.out)).c_str());
 }
 }  // namespace
 

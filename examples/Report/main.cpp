@@ -9,14 +9,14 @@
 #include <iostream>
 #include <thread>
 
-#include "page/Html.h"
+#include "page/Page.h"
 #include "page/Pictures.h"
 #include "LinearMath/btScalar.h"
-#include "problems/Problem.h"
+#include "problems/Catalogue.h"
 #include "collect/Records.h"
 #include "collect/Runner.h"
 #include "page/Tables.h"
-#include "cli/OutputFiles.h"
+#include "text/OutputFiles.h"
 
 namespace
 {
@@ -40,15 +40,15 @@ std::vector<std::string> allProblems()
 }
 
 /// The programs beside this one, by precision.
-std::map<std::string, std::string> programsBeside(const char* self)
+std::map<ep::Precision, std::string> programsBeside(const char* self)
 {
 	std::error_code none;
 	fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
 	if (folder.empty())
 		folder = fs::absolute(self).parent_path();
-	std::map<std::string, std::string> programs;
-	for (const auto& [precision, name] :
-		 {std::pair("float", "ep-report-case"), std::pair("double", "ep-report-case-float64")})
+	std::map<ep::Precision, std::string> programs;
+	for (const auto& [precision, name] : {std::pair(ep::Precision::Float, "ep-report-case"),
+										  std::pair(ep::Precision::Double, "ep-report-case-float64")})
 		if (fs::exists(folder / name))
 			programs[precision] = (folder / name).string();
 	if (programs.empty())
@@ -110,7 +110,7 @@ void run(const Options& o, const char* self)
 	settings.jobs = o.jobs;
 	settings.quick = o.quick || o.few;
 	settings.repeats = o.repeats > 0 ? o.repeats : o.quick ? 1 : 3;
-	std::vector<std::string> precisions;
+	std::vector<ep::Precision> precisions;
 	for (const auto& program : settings.programs)
 		precisions.push_back(program.first);
 	const std::vector<ep::Case> cases =
@@ -118,12 +118,12 @@ void run(const Options& o, const char* self)
 	checkSettings(o.out, settings.quick);
 	const int failed = ep::runCases(cases, settings);
 
-	const ep::Merged merged = ep::mergeRecords(settings.folder);
-	const nlohmann::json& json = merged.records;
+	const ep::Records records = ep::readRecords(settings.folder);
 	const fs::path out(o.out);
-	ep::writeText((out / "report.json").string(), json.dump(1) + "\n");
-	ep::writeText((out / "stability.json").string(), merged.trials.dump(1) + "\n");
-	ep::writeText((out / "report.csv").string(), ep::csvOf(json));
+	ep::writeText((out / "report.json").string(), toJson(ep::Record::columns(), records.ofProblems).dump(1) + "\n");
+	ep::writeText((out / "stability.json").string(),
+				  toJson(ep::TrialRecord::columns(), records.ofTrials).dump(1) + "\n");
+	ep::writeText((out / "report.csv").string(), toCsv(ep::Record::columns(), records.ofProblems));
 	const std::vector<std::pair<std::string, std::string>> stamp = {
 		{"Processor", processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads"},
 		{"Compiler", __VERSION__},
@@ -132,11 +132,10 @@ void run(const Options& o, const char* self)
 		{"ODE", EP_ODE_VERSION},
 #endif
 		{"Date", today()},
-		{"Records", std::to_string(json.size())},
+		{"Records", std::to_string(records.ofProblems.size())},
 	};
-	const std::vector<ep::Record> records = ep::recordsOf(json);
-	const ep::ByProblem problems(records);
-	ep::writeText((out / "report.html").string(), ep::htmlOf(problems, ep::trialsOf(merged.trials), stamp));
+	const ep::ByProblem problems(records.ofProblems);
+	ep::writeText((out / "report.html").string(), ep::htmlOf(problems, records.ofTrials, stamp));
 	fs::create_directories(out / "pictures");
 	const std::pair<const char*, ep::Grid> tables[] = {
 		{"overview", ep::overviewOf(problems)}, {"profile", ep::profileOf(problems)}, {"parts", ep::partsOf(problems)}};

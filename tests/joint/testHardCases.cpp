@@ -12,7 +12,8 @@
 
 #include "support/Precision.h"
 #include "world/World.h"
-#include "world/Shorthand.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
 
 namespace
 {

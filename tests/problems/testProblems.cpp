@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "problems/Problem.h"
+#include "problems/Catalogue.h"
 
 namespace
 {

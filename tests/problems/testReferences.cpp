@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "problems/PlanarBlocks.h"
-#include "problems/Problem.h"
+#include "problems/Catalogue.h"
 
 namespace
 {

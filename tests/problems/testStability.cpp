@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// What is stiff, extreme or unusual, see Stability.h.
+// What is stiff, extreme or unusual, see trials/Trial.h.
 
 #include <gtest/gtest.h>
 
 #include "LinearMath/btScalar.h"
-#include "problems/Stability.h"
+#include "trials/Catalogue.h"
 
 namespace
 {

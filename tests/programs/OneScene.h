@@ -4,7 +4,7 @@
 #ifndef EP_TEST_ONE_SCENE_H
 #define EP_TEST_ONE_SCENE_H
 
-#include "Demolisher.h"
+#include "simulation/Demolisher.h"
 
 /// The demolisher's settings with one scene built.
 inline ep::DemolisherSettings only(ep::Scene scene)

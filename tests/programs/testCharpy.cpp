@@ -9,22 +9,23 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "test/Charpy.h"
-#include "studies/CharpyFriction.h"
-#include "studies/CharpyReport.h"
-#include "studies/CharpyStudies.h"
+#include "test/ImpactTest.h"
+#include "studies/Friction.h"
+#include "studies/Report.h"
+#include "studies/Studies.h"
 #include "support/DirectSolver.h"
 #include "support/Precision.h"
 
 using namespace ep;
+using namespace ep::charpy;
 
 namespace
 {
-CharpyResult run(const CharpySettings& settings) { return Charpy(settings).run(); }
+Result run(const Settings& settings) { return ImpactTest(settings).run(); }
 
-CharpySettings with(Solver solver, double friction)
+Settings with(Solver solver, double friction)
 {
-	CharpySettings s;
+	Settings s;
 	s.solver = solver;
 	s.friction = friction;
 	return s;
@@ -33,15 +34,15 @@ CharpySettings with(Solver solver, double friction)
 const char* nameOf(Solver solver) { return solver == Solver::Direct ? "direct" : "iterative"; }
 
 /// Losses over outer steps of 0.5 to 0.01 ms, each of a specimen that bends and passes whole.
-std::vector<double> lossesOverSteps(CharpySettings s)
+std::vector<double> lossesOverSteps(Settings s)
 {
 	std::vector<double> losses;
 	for (double step : {0.5e-3, 0.2e-3, 0.1e-3, 0.05e-3, 0.02e-3, 0.01e-3})
 	{
 		s.step = step;
-		const CharpyResult r = run(s);
+		const Result r = run(s);
 		SCOPED_TRACE(testing::Message() << step);
-		EXPECT_EQ(CharpyOutcome::Passed, r.outcome);
+		EXPECT_EQ(Outcome::Passed, r.outcome);
 		EXPECT_FALSE(r.broken);
 		losses.push_back(r.loss());
 		if (s.friction == 0)
@@ -62,7 +63,7 @@ TEST(Charpy, LossDoesNotDependOnTheStep)
 		for (double friction : {0., 0.1})
 		{
 			SCOPED_TRACE(testing::Message() << nameOf(solver) << ", friction " << friction);
-			const CharpySpread s = spreadOf(lossesOverSteps(with(solver, friction)));
+			const Spread s = spreadOf(lossesOverSteps(with(solver, friction)));
 			EXPECT_LT(s.most - s.least, 0.01 * s.mean);
 		}
 }
@@ -73,14 +74,14 @@ TEST(Charpy, LossDoesNotDependOnTheHammersPlace)
 		for (double friction : {0., 0.1})
 		{
 			SCOPED_TRACE(testing::Message() << nameOf(solver) << ", friction " << friction);
-			const CharpySpread s = spreadOf(lossesOverShifts(with(solver, friction)));
+			const Spread s = spreadOf(lossesOverShifts(with(solver, friction)));
 			EXPECT_LT(s.deviation, 0.01 * s.mean);
 		}
 }
 
 TEST(Charpy, LossDoesNotDependOnTheUnitOfLength)
 {
-	CharpySettings s = with(Solver::Direct, 0);
+	Settings s = with(Solver::Direct, 0);
 	const double loss = run(s).loss();
 	for (double unit : {30., 100.})
 	{
@@ -91,7 +92,7 @@ TEST(Charpy, LossDoesNotDependOnTheUnitOfLength)
 
 TEST(Charpy, IsTheSameEachTime)
 {
-	const CharpyResult a = run(CharpySettings()), b = run(CharpySettings());
+	const Result a = run(Settings()), b = run(Settings());
 	EXPECT_EQ(a.loss(), b.loss());
 	EXPECT_EQ(a.hingeAngle, b.hingeAngle);
 }
@@ -100,7 +101,7 @@ TEST(Charpy, BothClassesAreTheSame)
 {
 	for (bool paper : {false, true})
 	{
-		CharpySettings first, second;
+		Settings first, second;
 		first.way = paper ? kinds::Ep1Paper : kinds::Ep1;
 		second.way = paper ? kinds::Ep2Paper : kinds::Ep2;
 		// The paper's schemes differ: one brakes, the other springs. Here both are rigid-plastic: within a substep or two.
@@ -114,7 +115,7 @@ TEST(Charpy, IslandsAreSolvedDirectly)
 	for (double friction : {0., 0.1})
 	{
 		// From the blow on: before, the specimen rests without load, where which way a row pushes is a matter of rounding.
-		Charpy charpy(with(Solver::Direct, friction));
+		ImpactTest charpy(with(Solver::Direct, friction));
 		while (!charpy.hasStruck())
 			charpy.step();
 		solverOf(charpy.world()).resetStatistics();
@@ -126,12 +127,12 @@ TEST(Charpy, IslandsAreSolvedDirectly)
 
 TEST(Charpy, AuditCloses)
 {
-	for (const auto& way : charpyWays())
+	for (const auto& way : joints())
 		for (bool paper : {false, true})
 		{
-			CharpySettings s = paper ? CharpySettings::paper() : CharpySettings();
+			Settings s = paper ? Settings::paper() : Settings();
 			s.way = way.value;
-			const CharpyResult r = run(s);
+			const Result r = run(s);
 			SCOPED_TRACE(testing::Message() << way.name << (paper ? " paper" : " repeatable"));
 			EXPECT_GT(r.loss(), 0);
 			EXPECT_LT(std::fabs(r.auditError()), 0.005);  // as asked
@@ -144,12 +145,12 @@ TEST(Charpy, PlasticWorkIsMomentTimesAngle)
 {
 	for (Solver solver : {Solver::Direct, Solver::Iterative})
 	{
-		const CharpyResult r = run(with(solver, 0));
+		const Result r = run(with(solver, 0));
 		// Only the notch bends. 0.5 %: the elastic bend springs back, the pieces' axes are not quite in one plane.
 		EXPECT_NEAR(r.plasticWork / (r.plasticMoment * r.hingeAngle), 1, 0.005);
 		// What passes at 1.991 rad by geometry springs back by 0.021 rad. Margins round the corners that pass each other by
 		// 0.2 mm: so much less of the half's length is 0.012 rad.
-		const CharpySettings s;
+		const Settings s;
 		EXPECT_NEAR(r.hingeAngle, r.passingAngle - s.plasticMoment() / s.hingeStiffness(), 0.012);
 		EXPECT_LT(std::fabs(r.numericalDissipation), 0.01 * r.loss());
 	}
@@ -157,10 +158,10 @@ TEST(Charpy, PlasticWorkIsMomentTimesAngle)
 
 TEST(Charpy, FrictionTakesItsShare)
 {
-	const auto check = [](const CharpySettings& s)
+	const auto check = [](const Settings& s)
 	{
-		const CharpyResult r = run(s);
-		EXPECT_EQ(CharpyOutcome::Passed, r.outcome);
+		const Result r = run(s);
+		EXPECT_EQ(Outcome::Passed, r.outcome);
 		// Rounded corners, 0.2 mm, are 1 % of the lever of the anvils' forces; over steps and places it scatters by 0.4 J.
 		const double exact = quasiStaticFriction(s);
 		EXPECT_NEAR(r.frictionWork, exact, 0.02 * exact + 0.4);
@@ -175,7 +176,7 @@ TEST(Charpy, FrictionTakesItsShare)
 	for (double length : {0.045, 0.08})
 	{
 		SCOPED_TRACE(testing::Message() << "length " << length);
-		CharpySettings s;
+		Settings s;
 		s.length = length;
 		check(s);
 	}
@@ -185,10 +186,10 @@ TEST(Charpy, FrictionLocks)
 {
 	// It bears all: the quasi-static force has no bound.
 	EXPECT_FALSE(std::isinf(quasiStaticFriction(with(Solver::Direct, 0.29))));
-	CharpySettings s = with(Solver::Direct, 0.4);
+	Settings s = with(Solver::Direct, 0.4);
 	EXPECT_TRUE(std::isinf(quasiStaticFriction(s)));
-	const CharpyResult r = run(s);
-	EXPECT_EQ(CharpyOutcome::Stuck, r.outcome);
+	const Result r = run(s);
+	EXPECT_EQ(Outcome::Stuck, r.outcome);
 	EXPECT_LT(r.greatestAngle, r.passingAngle);
 	EXPECT_NEAR(r.loss(), r.hammerBefore, 0.01 * r.hammerBefore);  // it stands where it stood at the blow, within 30 mm
 }
@@ -196,18 +197,18 @@ TEST(Charpy, FrictionLocks)
 TEST(Charpy, WithoutFrictionASlowBlowLosesTheSpecimen)
 {
 	// The hammer's face tilts as it swings; on a short arm more, and for longer.
-	CharpySettings s;
+	Settings s;
 	s.arm = 0.5;
-	EXPECT_EQ(CharpyOutcome::Passed, run(s).outcome);
+	EXPECT_EQ(Outcome::Passed, run(s).outcome);
 	s.friction = 0;
-	const CharpyResult r = run(s);
-	EXPECT_EQ(CharpyOutcome::Slipped, r.outcome);
+	const Result r = run(s);
+	EXPECT_EQ(Outcome::Slipped, r.outcome);
 	EXPECT_LT(r.plasticWork, 0.95 * s.passingPlasticWork());
 }
 
 TEST(Charpy, TheHammerFallsAsAPendulum)
 {
-	CharpySettings s;
+	Settings s;
 	const double l = s.hammerLength, a = s.arm, m = s.hammerMass, h = s.hammerHeight;
 	const double inertia = m * (l * l / 4 + a * a) + m * (l * l + h * h) / 12;
 	const double energy = m * s.gravity * (a - a * std::cos(s.release) + l / 2 * std::sin(s.release));
@@ -215,15 +216,15 @@ TEST(Charpy, TheHammerFallsAsAPendulum)
 	for (double step : {5e-3, 0.1e-3})
 	{
 		s.swingStep = step;
-		const CharpyResult r = run(s);
+		const Result r = run(s);
 		EXPECT_NEAR(energy, r.hammerBefore, (step > 1e-3 ? 2e-3 : 2e-4) * energy) << step;
 		EXPECT_NEAR(a * std::sqrt(2 * energy / inertia), r.blowSpeed, (step > 1e-3 ? 1e-3 : 2e-4) * r.blowSpeed)
 			<< step;
 	}
 	// It does not jump over the specimen, however fast.
-	s = CharpySettings();
+	s = Settings();
 	s.gravity = 1000;
-	EXPECT_EQ(CharpyOutcome::Passed, run(s).outcome);
+	EXPECT_EQ(Outcome::Passed, run(s).outcome);
 }
 
 TEST(Charpy, EnergyFollowsThePlasticMoment)
@@ -231,19 +232,19 @@ TEST(Charpy, EnergyFollowsThePlasticMoment)
 	// Rounded corners are good for 0.6 %, see above; the bend in which a substep ends, half of 0.0075 rad, for 0.2 %.
 	for (double yield : {200e6, 300e6, 600e6, 800e6})
 	{
-		CharpySettings s = with(Solver::Direct, 0);
+		Settings s = with(Solver::Direct, 0);
 		s.yieldStress = yield;
 		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << yield;
 	}
 	for (double notch : {1e-3, 3e-3, 5e-3})
 	{
-		CharpySettings s = with(Solver::Direct, 0);
+		Settings s = with(Solver::Direct, 0);
 		s.notch = notch;
 		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << notch;
 	}
 	for (double width : {5e-3, 20e-3})
 	{
-		CharpySettings s = with(Solver::Direct, 0);
+		Settings s = with(Solver::Direct, 0);
 		s.width = width;
 		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << width;
 	}
@@ -256,14 +257,14 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 		double last = 0;
 		for (double rotation : {0.2, 1., 1.8})
 		{
-			CharpySettings s;
+			Settings s;
 			s.way = way;
 			s.maxRotation = rotation;
-			Charpy charpy(s);
-			const CharpyResult r = charpy.run();
-			SCOPED_TRACE(testing::Message() << nameOf(charpyWays(), way) << " " << rotation);
+			ImpactTest charpy(s);
+			const Result r = charpy.run();
+			SCOPED_TRACE(testing::Message() << nameOf(joints(), way) << " " << rotation);
 			EXPECT_TRUE(r.broken);
-			EXPECT_EQ(CharpyOutcome::Passed, r.outcome);
+			EXPECT_EQ(Outcome::Passed, r.outcome);
 			// A break is noticed at the end of a substep; just after the blow that may turn the hinge by more than its bound.
 			EXPECT_NEAR(r.plasticWork, r.plasticMoment * rotation, 1.5 * r.plasticMoment * s.hingeStep);
 			EXPECT_GT(r.loss(), last);
@@ -276,7 +277,7 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 			EXPECT_GT(r.specimenEnergy, 0.01);
 		}
 	}
-	CharpySettings tough;
+	Settings tough;
 	tough.maxRotation = 2.05;
 	EXPECT_FALSE(run(tough).broken);
 
@@ -284,53 +285,53 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 	for (const JointKind& way : {kinds::Ep1, kinds::Ep2, kinds::PlasticHinge})
 		for (double rotation : {1.85, 1.92})
 		{
-			CharpySettings s = with(Solver::Direct, 0);
-			s.geometry = CharpyGeometry::Paper;
+			Settings s = with(Solver::Direct, 0);
+			s.geometry = Geometry::Paper;
 			s.way = way;
 			s.maxRotation = rotation;
-			EXPECT_EQ(rotation < 1.9, run(s).broken) << nameOf(charpyWays(), way) << " " << rotation;
+			EXPECT_EQ(rotation < 1.9, run(s).broken) << nameOf(joints(), way) << " " << rotation;
 		}
 }
 
 TEST(Charpy, EachWayDoesWhatItCan)
 {
-	CharpySettings s;
+	Settings s;
 	s.way = kinds::Rigid;
 	for (double e : {0.3, 0.5})
 	{
 		s.restitution = e;
-		const CharpyResult rigid = run(s);
-		EXPECT_EQ(CharpyOutcome::Bounced, rigid.outcome) << e;
+		const Result rigid = run(s);
+		EXPECT_EQ(Outcome::Bounced, rigid.outcome) << e;
 		// Bodies may be apart by 1 um when they bounce, 1 % of the way of the hammer in a substep.
 		EXPECT_NEAR((1 - e * e) * rigid.hammerBefore, rigid.loss(), 0.01 * rigid.hammerBefore) << e;
 		EXPECT_EQ(0, rigid.plasticWork);
 		EXPECT_EQ(0, rigid.hingeAngle);
 	}
-	CharpySettings inelastic = s;
+	Settings inelastic = s;
 	inelastic.restitution = 0;
 	inelastic.step = 0.5e-3;
-	EXPECT_EQ(CharpyOutcome::Stuck, run(inelastic).outcome);
+	EXPECT_EQ(Outcome::Stuck, run(inelastic).outcome);
 
 	s.way = kinds::Breaking;
-	const CharpyResult brittle = run(s);
+	const Result brittle = run(s);
 	EXPECT_TRUE(brittle.broken);
 	EXPECT_LT(brittle.loss(), 0.05 * brittle.passingAngle * brittle.plasticMoment);
 
 	for (JointKind way : {kinds::Spring, kinds::Spring2})
 	{
 		s.way = way;
-		const CharpyResult spring = run(s);
-		EXPECT_EQ(CharpyOutcome::Bounced, spring.outcome) << nameOf(charpyWays(), way);
-		EXPECT_FALSE(spring.broken) << nameOf(charpyWays(), way);
+		const Result spring = run(s);
+		EXPECT_EQ(Outcome::Bounced, spring.outcome) << nameOf(joints(), way);
+		EXPECT_FALSE(spring.broken) << nameOf(joints(), way);
 		// All that friction does not take springs back. Half of it is taken on the way out; the other half is there to be stored.
-		EXPECT_LT(spring.loss() - spring.frictionWork, 0.01 * spring.hammerBefore) << nameOf(charpyWays(), way);
+		EXPECT_LT(spring.loss() - spring.frictionWork, 0.01 * spring.hammerBefore) << nameOf(joints(), way);
 		const double stored = spring.hammerBefore - spring.frictionWork / 2;
 		EXPECT_NEAR(std::sqrt(2 * stored / s.hingeStiffness()), spring.greatestAngle, 0.01 * spring.greatestAngle);
 	}
 
 	s.way = kinds::HingeMotor;
-	const CharpyResult motor = run(s);
-	EXPECT_EQ(CharpyOutcome::Passed, motor.outcome);
+	const Result motor = run(s);
+	EXPECT_EQ(Outcome::Passed, motor.outcome);
 	// It has no elasticity to spring back.
 	EXPECT_NEAR(motor.plasticWork, motor.plasticMoment * motor.passingAngle, 0.01 * motor.plasticWork);  // as above
 }
@@ -339,14 +340,14 @@ TEST(Charpy, MorePiecesBendAtTheNotchToo)
 {
 	for (double friction : {0., 0.1})
 	{
-		const CharpyResult two = run(with(Solver::Direct, friction));
+		const Result two = run(with(Solver::Direct, friction));
 		for (int pieces : {4, 6, 8, 10})
 		{
-			CharpySettings s = with(Solver::Direct, friction);
+			Settings s = with(Solver::Direct, friction);
 			s.pieces = pieces;
-			const CharpyResult r = run(s);
+			const Result r = run(s);
 			SCOPED_TRACE(testing::Message() << pieces << ", friction " << friction);
-			EXPECT_EQ(CharpyOutcome::Passed, r.outcome);
+			EXPECT_EQ(Outcome::Passed, r.outcome);
 			EXPECT_FALSE(r.broken);
 			// All plastic work is at the notch. Up to 1 % more than of two: a shorter ligament, k = E I / l, springs back less.
 			EXPECT_NEAR(r.plasticWork, r.plasticMoment * r.hingeAngle, 0.005 * r.plasticWork);  // as of two, above
@@ -364,11 +365,11 @@ TEST(Charpy, ThePapersPresetScatters)
 	std::vector<double> losses;
 	for (double step : {0.2e-3, 0.1e-3, 0.05e-3})
 	{
-		CharpySettings s = CharpySettings::paper();
+		Settings s = Settings::paper();
 		s.step = step;
 		losses.push_back(run(s).loss());
 	}
-	const CharpySpread s = spreadOf(losses);
+	const Spread s = spreadOf(losses);
 	EXPECT_GT(s.mean, 80);
 	EXPECT_LT(s.mean, 220);
 	EXPECT_GT(s.most - s.least, 0.2 * s.mean);
@@ -376,8 +377,8 @@ TEST(Charpy, ThePapersPresetScatters)
 
 TEST(Charpy, StepsFollowTheHammersAngle)
 {
-	CharpySettings s;
-	const Charpy charpy(s);
+	Settings s;
+	const ImpactTest charpy(s);
 	EXPECT_DOUBLE_EQ(5e-3, charpy.stepAt(-1));
 	EXPECT_DOUBLE_EQ(5e-3, charpy.stepAt(0.2));
 	EXPECT_DOUBLE_EQ((5e-3 + 0.1e-3) / 2, charpy.stepAt(-0.125));
@@ -387,16 +388,16 @@ TEST(Charpy, StepsFollowTheHammersAngle)
 
 TEST(Charpy, SubstepsBoundTheHingesRotation)
 {
-	CharpySettings s;
+	Settings s;
 	s.step = 0.5e-3;
 	s.hingeStep = 0.01;
-	Charpy charpy(s);
+	ImpactTest charpy(s);
 	double bend = 0, most = 0;
 	while (!charpy.isOver())
 	{
 		const long long before = charpy.result().substeps;
 		charpy.step();
-		const CharpyResult r = charpy.result();
+		const Result r = charpy.result();
 		most = std::max(most, (r.hingeAngle - bend) / double(r.substeps - before));
 		bend = r.hingeAngle;
 	}
@@ -407,34 +408,34 @@ TEST(Charpy, SubstepsBoundTheHingesRotation)
 
 TEST(Charpy, SaysWhatIsWrong)
 {
-	const auto fault = [](double CharpySettings::*field, double value)
+	const auto fault = [](double Settings::*field, double value)
 	{
-		CharpySettings s;
+		Settings s;
 		s.*field = value;
 		return s.fault();
 	};
-	EXPECT_EQ("", CharpySettings().fault());
-	EXPECT_EQ("", CharpySettings::paper().fault());
+	EXPECT_EQ("", Settings().fault());
+	EXPECT_EQ("", Settings::paper().fault());
 	EXPECT_EQ("--friction is nan; it must be a number from 0 to 2 (Coefficient of friction of all contacts)",
-			  fault(&CharpySettings::friction, std::nan("")));
+			  fault(&Settings::friction, std::nan("")));
 	EXPECT_NE(std::string::npos,
-			  fault(&CharpySettings::step, -1e-3).find("--dt is -1; it must be a number from 0.0001 to 5"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::notch, 0.0095)
-									 .find("--notch is 9.5; it must be a number from 0 to 9, 0.9 of --height ("));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::yieldStress, HUGE_VAL).find("--yield is inf"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::hingeStep, 1e-9).find("--hinge-step is 1e-09"));
-	EXPECT_NE(std::string::npos,
-			  fault(&CharpySettings::gap, 0.01).find("from 14 to 53.9, from the hammer's thickness"));
-	EXPECT_NE(std::string::npos, fault(&CharpySettings::height, 0.1).find("does not fit between the anvils"));
-	CharpySettings odd;
+			  fault(&Settings::step, -1e-3).find("--dt is -1; it must be a number from 0.0001 to 5"));
+	EXPECT_NE(
+		std::string::npos,
+		fault(&Settings::notch, 0.0095).find("--notch is 9.5; it must be a number from 0 to 9, 0.9 of --height ("));
+	EXPECT_NE(std::string::npos, fault(&Settings::yieldStress, HUGE_VAL).find("--yield is inf"));
+	EXPECT_NE(std::string::npos, fault(&Settings::hingeStep, 1e-9).find("--hinge-step is 1e-09"));
+	EXPECT_NE(std::string::npos, fault(&Settings::gap, 0.01).find("from 14 to 53.9, from the hammer's thickness"));
+	EXPECT_NE(std::string::npos, fault(&Settings::height, 0.1).find("does not fit between the anvils"));
+	Settings odd;
 	odd.pieces = 3;
 	EXPECT_NE(std::string::npos, odd.fault().find("must be even"));
-	EXPECT_THROW(Charpy{odd}, std::invalid_argument);
+	EXPECT_THROW(ImpactTest{odd}, std::invalid_argument);
 }
 
 TEST(Charpy, SummaryHasItsKeys)
 {
-	const CharpySettings s;
+	const Settings s;
 	const nlohmann::json json = nlohmann::json::parse(toJson(run(s), s));
 	for (const char* key :
 		 {"loss_J", "plastic_work_J", "hinge_angle_rad", "specimen_kinetic_energy_J", "friction_work_J",
@@ -446,7 +447,7 @@ TEST(Charpy, SummaryHasItsKeys)
 
 TEST(Charpy, TablesAreWritten)
 {
-	CharpyTable t;
+	Table t;
 	t.name = "t";
 	t.title = "Title";
 	t.columns = {"x", "y, z"};

@@ -7,13 +7,14 @@
 
 #include <cmath>
 
-#include "view/CharpyScene.h"
+#include "view/Scene.h"
 
 using namespace ep;
+using namespace ep::charpy;
 
 TEST(Charpy, WindowShowsThreeViewsAndEnergiesAsTheyGo)
 {
-	CharpyScene scene{CharpySettings()};
+	Scene scene{Settings()};
 	for (int i = 0; i < 1000 && scene.draw().chart.x.size() < 10; ++i)
 		scene.step(Controls());
 	const Drawing drawing = scene.draw();
@@ -23,38 +24,38 @@ TEST(Charpy, WindowShowsThreeViewsAndEnergiesAsTheyGo)
 	float sum = 0;
 	for (const Chart::Band& band : drawing.chart.bands)
 		sum += band.values.back();
-	const CharpyResult r = scene.charpy().result();
+	const Result r = scene.charpy().result();
 	EXPECT_NEAR(r.loss(), sum, 0.005 * r.loss());  // as the audit closes
 	EXPECT_EQ(drawing.chart.bands.size(), drawing.legend.size());
 }
 
 TEST(Charpy, WindowsKeysChangeTheTest)
 {
-	CharpyScene scene{CharpySettings()};
-	const auto settings = [&scene]() -> const CharpySettings& { return scene.charpy().settings(); };
+	Scene scene{Settings()};
+	const auto settings = [&scene]() -> const Settings& { return scene.charpy().settings(); };
 	for (int i = 0; i < 10; ++i)
 	{
 		scene.key(char('0' + i));
-		EXPECT_EQ(charpyWays()[size_t(i)].value, settings().way);
+		EXPECT_EQ(joints()[size_t(i)].value, settings().way);
 	}
 	scene.key('+');
 	EXPECT_DOUBLE_EQ(0.2e-3, settings().step);
 	scene.key('-');
 	EXPECT_DOUBLE_EQ(0.1e-3, settings().step);
 	scene.key('g');
-	EXPECT_EQ(CharpyGeometry::Paper, settings().geometry);
+	EXPECT_EQ(Geometry::Paper, settings().geometry);
 
 	// The paper's hammer is too thick for these anvils.
-	CharpySettings narrow;
+	Settings narrow;
 	narrow.gap = 0.018;
-	CharpyScene tight{narrow};
+	Scene tight{narrow};
 	tight.key('g');
-	EXPECT_EQ(CharpyGeometry::Repeatable, tight.charpy().settings().geometry);
+	EXPECT_EQ(Geometry::Repeatable, tight.charpy().settings().geometry);
 
 	// Slower: a picture shows half the time.
 	const auto inImpact = [](char key)
 	{
-		CharpyScene slow{CharpySettings()};
+		Scene slow{Settings()};
 		slow.key(key);
 		while (!slow.charpy().hasStruck())
 			slow.step(Controls());
@@ -96,9 +97,9 @@ struct OneHand : Panel
 
 TEST(Charpy, WindowsPanelChangesTheTest)
 {
-	CharpySettings low;
+	Settings low;
 	low.height = 0.005;
-	CharpyScene scene{low};
+	Scene scene{low};
 	OneHand hand;
 	hand.label = "friction";
 	hand.to = 0.3;

@@ -11,7 +11,7 @@
 #include "runs/Figure11.h"
 #include "programs/OneScene.h"
 #include "support/Precision.h"
-#include "runs/Summary.h"
+#include "runs/RunLog.h"
 
 using namespace ep;
 
@@ -60,7 +60,7 @@ TEST(Demolisher, BridgeStandsUnderItsOwnWeight)
 	const double moment =
 		double(bridge.deck().blockMass() * 10 * bridge.settings().blocks * bridge.settings().span / 12);
 	for (int end : {0, bridge.settings().blocks})
-		EXPECT_NEAR(std::fabs(double(bridge.deck().nodes()[end]->getForce(BT_EP_BENDING_Z))) / moment, 1, .03);
+		EXPECT_NEAR(std::fabs(double(bridge.deck().m_jointAt[end]->getForce(BT_EP_BENDING_Z))) / moment, 1, .03);
 }
 
 TEST(Demolisher, SagTendsToTheBeamsWithMoreBlocks)
@@ -178,7 +178,7 @@ TEST(Demolisher, WeakBridgeFallsAndNothingGoesAstray)
 		demolisher.stepByAutopilot();
 	EXPECT_GT(demolisher.summary().broken, 0);
 	EXPECT_TRUE(isFinite(demolisher));
-	for (const btRigidBody* block : demolisher.bridge()->deck().blocks())
+	for (const btRigidBody* block : demolisher.bridge()->deck().m_parts)
 	{
 		EXPECT_GT(double(block->getCenterOfMassPosition().y()), 0);
 		EXPECT_LT(double(block->getCenterOfMassPosition().length()), 40);
@@ -224,8 +224,8 @@ TEST(Demolisher, Figure11sThreeStates)
 	ASSERT_TRUE(figure.reach(Figure11::FALLEN));
 	EXPECT_EQ(demolisher.summary().broken, 2);
 	EXPECT_EQ(count(Scene::Bridge, "broken"), 2);
-	EXPECT_TRUE(demolisher.bridge()->deck().nodes().front()->isBroken());
-	EXPECT_TRUE(demolisher.bridge()->deck().nodes().back()->isBroken());
+	EXPECT_TRUE(demolisher.bridge()->deck().m_jointAt.front()->isBroken());
+	EXPECT_TRUE(demolisher.bridge()->deck().m_jointAt.back()->isBroken());
 	EXPECT_GT(demolisher.summary().sag, 2.5);
 	EXPECT_TRUE(isFinite(demolisher));
 }

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "structures/BeamSkin.h"
+#include "view/BeamSkin.h"
 #include "view/DemolisherScene.h"
 #include "programs/OneScene.h"
 
@@ -148,9 +148,9 @@ TEST(Demolisher, SkinIsSmoothAndEndsWhereItIsTorn)
 	for (size_t i = 1; i < whole[0].size(); ++i)
 		turn = std::max(turn, double(whole[0][i - 1].getRotation().angleShortestPath(whole[0][i].getRotation())));
 	double bend = 0;
-	for (size_t i = 1; i < deck.blocks().size(); ++i)
+	for (size_t i = 1; i < deck.m_parts.size(); ++i)
 		bend = std::max(
-			bend, double(deck.blocks()[i - 1]->getOrientation().angleShortestPath(deck.blocks()[i]->getOrientation())));
+			bend, double(deck.m_parts[i - 1]->getOrientation().angleShortestPath(deck.m_parts[i]->getOrientation())));
 	// The blocks' sharpest bend is spread over the stations of two half blocks.
 	EXPECT_GT(bend, .02);
 	EXPECT_LT(turn, bend / 2);

@@ -14,13 +14,13 @@ namespace ep
 namespace
 {
 /// One second in substeps of 1/60 s, with what it took [s] and its error.
-Record recordOf(int substeps, double runTime, double error, const char* solver = "direct")
+Record recordOf(int substeps, double runTime, double error, ReportSolver solver = ReportSolver::Direct)
 {
 	Record r = {};
-	r.scheme = "default";
+	r.scheme = Scheme::Default;
 	r.solver = solver;
-	r.jointClass = "spring2";
-	r.precision = "double";
+	r.jointClass = JointClass::Spring2;
+	r.precision = Precision::Double;
 	r.iterations = 10;
 	r.dt = 1. / 60;
 	r.substeps = substeps;
@@ -52,8 +52,9 @@ TEST(Judgement, LuckIsNoRecommendation)
 
 TEST(Judgement, OneMethodsFailureIsNotAnothers)
 {
-	const std::vector<Record> records = {recordOf(1, 3, 0.05), recordOf(2, 6, 0.01), recordOf(1, 1, 0.02, "stock"),
-										 recordOf(2, 2, NAN, "stock")};
+	const std::vector<Record> records = {recordOf(1, 3, 0.05), recordOf(2, 6, 0.01),
+										 recordOf(1, 1, 0.02, ReportSolver::Stock),
+										 recordOf(2, 2, NAN, ReportSolver::Stock)};
 	EXPECT_EQ(&records[0], quickestReliable(pointersTo(records), 0.1));
 }
 
@@ -75,8 +76,9 @@ TEST(Judgement, OrderIsTheSlope)
 		records.push_back(recordOf(1, 1, 100. / rate / rate));
 		records.back().dt = 1. / rate;
 	}
-	EXPECT_NEAR(2, orderOf(pointersTo(records), "direct"), 1e-12);  // exact but for rounding
-	EXPECT_TRUE(std::isnan(orderOf(pointersTo(records), "stock")));
+	EXPECT_NEAR(2, orderOf(pointersTo(records), {Scheme::Default, ReportSolver::Direct}),
+				1e-12);  // exact but for rounding
+	EXPECT_TRUE(std::isnan(orderOf(pointersTo(records), {Scheme::Default, ReportSolver::Stock})));
 }
 }  // namespace
 }  // namespace ep

@@ -17,7 +17,7 @@
 #include "scenes/Cantilever.h"
 #include "compute/OdeEngine.h"
 #include "support/Precision.h"
-#include "problems/Problem.h"
+#include "problems/Catalogue.h"
 
 namespace
 {

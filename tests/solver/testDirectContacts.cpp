@@ -14,7 +14,8 @@
 #include "support/DirectSolver.h"
 #include "world/EnergyAudit.h"
 #include "support/Precision.h"
-#include "world/Shorthand.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
 
 namespace
 {

@@ -13,13 +13,21 @@
 #include "scenes/Cantilever.h"
 #include "support/DirectSolver.h"
 #include "support/Precision.h"
-#include "world/Shorthand.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
 
 namespace
 {
 using namespace ep;
 
 const btScalar FRAME = btScalar(1) / 60;
+
+bool isFinite(const btRigidBody& body)
+{
+	return btElasticPlasticIsFinite(body.getCenterOfMassPosition().length()) &&
+		   btElasticPlasticIsFinite(body.getLinearVelocity().length()) &&
+		   btElasticPlasticIsFinite(body.getAngularVelocity().length());
+}
 
 void run(World& world, int steps)
 {

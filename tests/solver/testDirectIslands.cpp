@@ -15,7 +15,8 @@
 #include "scenes/Cantilever.h"
 #include "support/DirectSolver.h"
 #include "support/Precision.h"
-#include "world/Shorthand.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
 
 namespace
 {

@@ -12,8 +12,9 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
 #include "scenes/Cantilever.h"
 #include "support/Precision.h"
-#include "problems/Problem.h"
-#include "world/Shorthand.h"
+#include "problems/Catalogue.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
 
 namespace
 {

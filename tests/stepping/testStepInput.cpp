@@ -8,7 +8,8 @@
 #include "scenes/BlockUnderTension.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
 #include "support/Precision.h"
-#include "world/Shorthand.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
 
 namespace
 {

@@ -10,7 +10,8 @@
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepper.h"
 #include "scenes/Cantilever.h"
-#include "world/Shorthand.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
 
 namespace
 {

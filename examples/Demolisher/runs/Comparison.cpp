@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
+
+#include "text/Format.h"
 
 namespace ep
 {
@@ -14,14 +15,6 @@ namespace
 {
 const double REST = 6;      // for the bridge to come to rest in, the last one of them to measure its mean [s]
 const double LONGEST = 40;  // [s]
-
-template <class... Values>
-std::string format(const char* pattern, Values... values)
-{
-	char text[256];
-	std::snprintf(text, sizeof text, pattern, values...);
-	return text;
-}
 
 /// Of what has flown apart there is nothing to tell.
 std::string metres(double value)
@@ -56,7 +49,7 @@ std::string speedLine(const char* name, DemolisherSettings settings, const std::
 			before = wall;
 		}
 	}
-	return format("| %s | %d | %.0f | %.0f |\n", name, int(demolisher.book().records().size()),
+	return format("| %s | %d | %.0f | %.0f |\n", name, int(demolisher.joints().records().size()),
 				  demolisher.time() / wall, slowest);
 }
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "Demolisher.h"
+#include "simulation/Demolisher.h"
 
 namespace ep
 {

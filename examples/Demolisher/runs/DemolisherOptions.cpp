@@ -3,6 +3,7 @@
 
 #include "runs/DemolisherOptions.h"
 
+#include "cli/NamedOption.h"
 #include "cli/OptionRange.h"
 #include "vehicle/RouteFile.h"
 
@@ -25,26 +26,39 @@ void addTo(std::string& list, const char* title, const std::vector<Named<Value>>
 				"\n";
 }
 
-std::vector<std::string> sceneChoices()
+/// All of them is one choice more.
+const std::vector<Named<std::vector<Scene>>>& sceneChoices()
 {
-	std::vector<std::string> names = namesOf(scenes());
-	names.push_back("all");
-	return names;
+	static const std::vector<Named<std::vector<Scene>>> all = []
+	{
+		std::vector<Named<std::vector<Scene>>> choices;
+		for (const Named<Scene>& scene : scenes())
+			choices.push_back({scene.name, {scene.value}});
+		choices.push_back({"all", DemolisherSettings().scenes});
+		return choices;
+	}();
+	return all;
 }
 }  // namespace
 
 DemolisherOptions::DemolisherOptions(CLI::App& app)
 {
 	DemolisherSettings& s = m_settings;
-	app.add_option("--scene", m_scenes, "What is built; several are given one after the other")
-		->capture_default_str()
-		->check(CLI::IsMember(sceneChoices()));
-	app.add_option("--joint", m_joint, "What holds the blocks together, see --list")
-		->capture_default_str()
-		->check(CLI::IsMember(namesOf(jointKinds())));
-	app.add_option("--solver", m_solver, "Bullet's, or ours in one of its forms")
-		->capture_default_str()
-		->check(CLI::IsMember(namesOf(solvers())));
+	app.add_option_function<std::vector<std::string>>(
+		   "--scene",
+		   [&s](const std::vector<std::string>& names)
+		   {
+			   s.scenes.clear();
+			   for (const std::string& name : names)
+				   for (const Scene scene : *findNamed(sceneChoices(), name))
+					   if (!s.has(scene))
+						   s.scenes.push_back(scene);
+		   },
+		   "What is built; several are given one after the other")
+		->default_str("all")
+		->check(CLI::IsMember(namesOf(sceneChoices())));
+	addNamedOption(app, "--joint", m_joints, "What holds the blocks together, see --list", jointKinds());
+	addNamedOption(app, "--solver", s.method.solver, "Bullet's, or ours in one of its forms", solvers());
 	app.add_option("--autopilot", m_route,
 				   "JSON file with the autopilot's route; otherwise it drives through all scenes");
 	number(app, "--speed", s.speed, "Speed of the autopilot on its own route [m/s]", 1, 26);
@@ -62,14 +76,7 @@ DemolisherOptions::DemolisherOptions(CLI::App& app)
 DemolisherSettings DemolisherOptions::settings() const
 {
 	DemolisherSettings s = m_settings;
-	if (std::find(m_scenes.begin(), m_scenes.end(), "all") == m_scenes.end())
-	{
-		s.scenes.clear();
-		for (const std::string& name : m_scenes)
-			if (!s.has(*findNamed(scenes(), name)))
-				s.scenes.push_back(*findNamed(scenes(), name));
-	}
-	s.method = Method(*findNamed(solvers(), m_solver), *findNamed(jointKinds(), m_joint), s.method.iterations);
+	s.method = Method(s.method.solver, m_joints, s.method.iterations);
 	if (!m_route.empty())
 		s.route = readRoute(m_route);
 	return s;

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "Demolisher.h"
+#include "simulation/DemolisherSettings.h"
 
 namespace ep
 {
@@ -24,8 +24,8 @@ public:
 
 private:
 	DemolisherSettings m_settings;
-	std::vector<std::string> m_scenes = {"all"};
-	std::string m_joint = "ep2", m_solver = "direct", m_route;
+	JointKind m_joints = m_settings.method.kind();
+	std::string m_route;
 };
 }  // namespace ep
 

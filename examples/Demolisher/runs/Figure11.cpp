@@ -76,7 +76,7 @@ bool Figure11::drive(const Route& route, const std::function<void()>& stepped)
 /// No end of the deck hangs on its support any more.
 bool Figure11::hasFallen() const
 {
-	const std::vector<btElasticPlasticJoint*>& nodes = m_demolisher.bridge()->deck().nodes();
+	const std::vector<btElasticPlasticJoint*>& nodes = m_demolisher.bridge()->deck().m_jointAt;
 	return nodes.front()->isBroken() && nodes.back()->isBroken();
 }
 }  // namespace ep

@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "Demolisher.h"
+#include "simulation/Demolisher.h"
 
 namespace ep
 {

@@ -9,9 +9,9 @@
 #include <stdexcept>
 
 #include "runs/Figure11.h"
-#include "runs/Summary.h"
-#include "cli/OutputFiles.h"
-#include "picture/View.h"
+#include "runs/RunLog.h"
+#include "text/OutputFiles.h"
+#include "drawing/Cameras.h"
 #ifdef EP_WITH_PICTURES
 #include "picture/Raster.h"
 #endif

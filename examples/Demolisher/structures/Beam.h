@@ -4,10 +4,7 @@
 #ifndef EP_BEAM_H
 #define EP_BEAM_H
 
-#include <string>
-#include <vector>
-
-#include "world/World.h"
+#include "scenes/Member.h"
 
 namespace ep
 {
@@ -42,25 +39,15 @@ struct BeamSettings
 	bool isRound = false;  ///< for those who draw it
 };
 
-/// A straight row of equal blocks. Joints stand for the steel between the blocks' centres.
-class Beam
+/// A member as it is built: damped, rubbing, with joints that stand for the steel between the blocks' centres and may tear.
+class Beam : public Member
 {
 public:
 	/// \param start  pose of the beam's beginning
 	Beam(World& world, const std::string& name, const BeamSettings& settings, const btTransform& start);
 
-	/// Joins an end with something that does not deform.
-	btElasticPlasticJoint* joinStart(World& world, btRigidBody& support);
-	btElasticPlasticJoint* joinEnd(World& world, btRigidBody& support);
-
 	const BeamSettings& settings() const { return m_settings; }
-	const std::vector<btRigidBody*>& blocks() const { return m_blocks; }
-	btScalar blockLength() const { return m_settings.length / m_settings.blocks; }
 	btScalar blockMass() const;
-
-	/// At the node before each block and after the last one; null at ends that are not joined.
-	const std::vector<btElasticPlasticJoint*>& nodes() const { return m_nodes; }
-	std::vector<btElasticPlasticJoint*> joints() const;
 
 	/// Where the beam begins and ends now.
 	btVector3 startPoint() const;
@@ -71,15 +58,9 @@ public:
 	btScalar shearStiffness() const;
 
 private:
-	btTransform along(btScalar x) const;
 	btScalar damping() const;
-	btElasticPlasticJoint* join(World& world, btRigidBody& a, btRigidBody& b, int node, bool atSupport);
 
-	std::string m_name;
 	BeamSettings m_settings;
-	btTransform m_start;
-	std::vector<btRigidBody*> m_blocks;
-	std::vector<btElasticPlasticJoint*> m_nodes;
 };
 }  // namespace ep
 

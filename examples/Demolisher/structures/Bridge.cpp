@@ -8,8 +8,6 @@ namespace ep
 namespace
 {
 const btScalar FRICTION = btScalar(.8);  // concrete on concrete
-
-btTransform local(btScalar x, btScalar y) { return btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, y, 0)); }
 }  // namespace
 
 Bridge::Bridge(World& world, const Materials& materials, const BridgeSettings& s, const btVector3& origin)
@@ -32,7 +30,7 @@ Bridge::Bridge(World& world, const Materials& materials, const BridgeSettings& s
 	deck.mode = MODE_CLAMPED_AT_BOTH_ENDS;
 	deck.dampingRatio = s.dampingRatio;
 	deck.friction = FRICTION;
-	m_beams.emplace_back(world, "deck", deck, at(-s.span / 2, s.height - s.thickness / 2));
+	m_beams.emplace_back(world, "deck", deck, fromOrigin(-s.span / 2, s.height - s.thickness / 2));
 	m_beams.front().joinStart(world, *left);
 	btElasticPlasticJoint* const end = m_beams.front().joinEnd(world, *right);
 	// As on real bridges one end slides lengthwise. Held at both ends, a deck that has bent would hang like a rope: axial
@@ -41,7 +39,7 @@ Bridge::Bridge(World& world, const Materials& materials, const BridgeSettings& s
 		world.release(*end, BT_EP_AXIAL);
 }
 
-btTransform Bridge::at(btScalar x, btScalar y) const
+btTransform Bridge::fromOrigin(btScalar x, btScalar y) const
 {
 	return btTransform(btQuaternion(0, 0, 0, 1), m_origin + btVector3(x, y, 0));
 }
@@ -51,11 +49,11 @@ btRigidBody* Bridge::addSupport(World& world, btScalar side)
 	const BridgeSettings& s = m_settings;
 	auto* const shape = new btCompoundShape;
 	world.keep(shape);
-	shape->addChildShape(local(0, s.height / 2), world.box(btVector3(s.supportLength, s.height, s.width)));
+	shape->addChildShape(at(0, s.height / 2), world.box(btVector3(s.supportLength, s.height, s.width)));
 	const btScalar under = s.height - s.thickness;
-	shape->addChildShape(local(-side * (s.supportLength + s.ledge) / 2, under / 2),
+	shape->addChildShape(at(-side * (s.supportLength + s.ledge) / 2, under / 2),
 						 world.box(btVector3(s.ledge, under, s.width)));
-	btRigidBody* const body = world.body(0, shape, at(side * (s.span + s.supportLength) / 2, 0));
+	btRigidBody* const body = world.body(0, shape, fromOrigin(side * (s.span + s.supportLength) / 2, 0));
 	body->setFriction(FRICTION);
 	m_boxes.push_back(body);
 	return body;
@@ -75,12 +73,12 @@ void Bridge::addRamp(World& world, btScalar side)
 	// The margin would round the ramp out beyond its support's top.
 	shape->setMargin(0);
 	shape->recalcLocalAabb();
-	world.body(0, shape, at(side * (s.span / 2 + s.supportLength), 0))->setFriction(FRICTION);
+	world.body(0, shape, fromOrigin(side * (s.span / 2 + s.supportLength), 0))->setFriction(FRICTION);
 }
 
 btScalar Bridge::sag() const
 {
-	const std::vector<btRigidBody*>& blocks = deck().blocks();
+	const std::vector<btRigidBody*>& blocks = deck().m_parts;
 	const btVector3 &a = blocks[(blocks.size() - 1) / 2]->getCenterOfMassPosition(),
 					&b = blocks[blocks.size() / 2]->getCenterOfMassPosition();
 	return m_origin.y() + m_settings.height - m_settings.thickness / 2 - (a.y() + b.y()) / 2;
@@ -88,7 +86,7 @@ btScalar Bridge::sag() const
 
 btScalar Bridge::beamSag(btScalar gravity) const
 {
-	const btScalar load = deck().blockMass() / deck().blockLength() * gravity, l2 = m_settings.span * m_settings.span;
+	const btScalar load = deck().blockMass() / deck().m_partLength * gravity, l2 = m_settings.span * m_settings.span;
 	return load * l2 * l2 / (384 * deck().bendingStiffness()) + load * l2 / (8 * deck().shearStiffness());
 }
 
@@ -97,19 +95,19 @@ double Bridge::exactSag(btScalar gravity) const
 	// The moment at a node, M0 - w x (L - x) / 2, turns the next block by M / k against the one before; M0 is such that all
 	// turns together are none, for both ends are clamped. By symmetry only the left half matters.
 	const int n = m_settings.blocks;
-	const double length = double(deck().blockLength()), load = double(deck().blockMass() * gravity) / length;
+	const double length = double(deck().m_partLength), load = double(deck().blockMass() * gravity) / length;
 	const auto parabola = [&](int i) { return load * i * length * (n - i) * length / 2; };
 	double turns = 0, softness = 0;
 	for (int i = 0; i <= n; ++i)
 	{
-		const double k = double(deck().nodes()[i]->getCapacity().m_stiffness[BT_EP_BENDING_Z]);
+		const double k = double(deck().m_jointAt[i]->getCapacity().m_stiffness[BT_EP_BENDING_Z]);
 		turns += parabola(i) / k;
 		softness += 1 / k;
 	}
 	double sag = 0, slope = 0;
 	for (int i = 0; i < n / 2; ++i)
 	{
-		const btElasticPlasticCapacity& joint = deck().nodes()[i]->getCapacity();
+		const btElasticPlasticCapacity& joint = deck().m_jointAt[i]->getCapacity();
 		slope += (turns / softness - parabola(i)) / double(joint.m_stiffness[BT_EP_BENDING_Z]);
 		sag += load * (n / 2. - i) * length / double(joint.m_stiffness[BT_EP_SHEAR_Y]);
 		sag += slope * length * (i + 1 < n / 2 ? 1 : .5);
@@ -122,7 +120,7 @@ btScalar Bridge::supportForce() const
 	btScalar sum = 0;
 	for (int end : {0, m_settings.blocks})
 	{
-		const btElasticPlasticJoint& joint = *deck().nodes()[end];
+		const btElasticPlasticJoint& joint = *deck().m_jointAt[end];
 		if (joint.isBroken())
 			continue;
 		// A joint's force is what it does to its body A, in the frame half way between its bodies'.

@@ -51,7 +51,7 @@ public:
 	btScalar supportForce() const;
 
 private:
-	btTransform at(btScalar x, btScalar y) const;
+	btTransform fromOrigin(btScalar x, btScalar y) const;
 	btRigidBody* addSupport(World& world, btScalar side);
 	void addRamp(World& world, btScalar side);
 

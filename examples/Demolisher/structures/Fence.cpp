@@ -45,8 +45,8 @@ void Fence::addRails(World& world, const Materials& materials, const FenceSettin
 	const btMatrix3x3 turn(0, 1, 0, 0, 0, 1, 1, 0, 0);  // along z
 	for (int i = 0; i < s.rails; ++i)
 	{
-		btRigidBody& left = *m_beams[bay].blocks()[s.postBlocks - 1 - i];
-		btRigidBody& right = *m_beams[bay + 1].blocks()[s.postBlocks - 1 - i];
+		btRigidBody& left = *m_beams[bay].m_parts[s.postBlocks - 1 - i];
+		btRigidBody& right = *m_beams[bay + 1].m_parts[s.postBlocks - 1 - i];
 		m_beams.emplace_back(world, "rail " + std::to_string(bay) + "/" + std::to_string(i), rail,
 							 btTransform(turn, left.getCenterOfMassPosition() + btVector3(0, 0, s.postThickness / 2)));
 		m_beams.back().joinStart(world, left);

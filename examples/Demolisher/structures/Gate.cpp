@@ -38,7 +38,7 @@ btRigidBody* Gate::addBox(World& world, const Materials& materials, const btVect
 
 btScalar Gate::sag() const
 {
-	const std::vector<btRigidBody*>& blocks = boom().blocks();
+	const std::vector<btRigidBody*>& blocks = boom().m_parts;
 	if (!m_settings.twoSupports)
 		return m_settings.height - boom().endPoint().y();
 	const size_t n = blocks.size();
@@ -49,7 +49,7 @@ btScalar Gate::sag() const
 
 btScalar Gate::beamSag(btScalar gravity) const
 {
-	const btScalar load = boom().blockMass() / boom().blockLength() * gravity,
+	const btScalar load = boom().blockMass() / boom().m_partLength * gravity,
 				   l2 = m_settings.length * m_settings.length;
 	const btScalar bending = boom().bendingStiffness(), shear = boom().shearStiffness();
 	if (m_settings.twoSupports)

@@ -3,24 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticFault.h"
 #include "view/DemolisherScene.h"
+#include "text/Format.h"
 
 namespace ep
 {
 namespace
 {
 const size_t MOST_USED = 10;  // joints in the table
-
-template <class... Values>
-std::string format(const char* pattern, Values... values)
-{
-	char text[160];
-	std::snprintf(text, sizeof text, pattern, values...);
-	return text;
-}
 
 /// A slider for a setting of Bullet's precision, shown in another unit.
 bool slider(Panel& panel, const char* label, btScalar& value, double unit, double low, double high, const char* pattern)
@@ -107,13 +99,13 @@ bool DemolisherScene::buildSettings(Panel& panel)
 
 void DemolisherScene::jointTable(Panel& panel)
 {
-	const std::vector<JointRecord>& records = m_demolisher->book().records();
+	const std::vector<JointRecord>& records = m_demolisher->joints().records();
 	std::vector<JointReading> readings;
 	std::vector<size_t> order;
 	for (const JointRecord& record : records)
 	{
 		order.push_back(readings.size());
-		readings.push_back(m_demolisher->book().read(record));
+		readings.push_back(m_demolisher->joints().read(record));
 	}
 	// By damage where there is any, then by load.
 	std::stable_sort(order.begin(), order.end(),
@@ -129,10 +121,10 @@ void DemolisherScene::jointTable(Panel& panel)
 		const JointReading& r = readings[i];
 		if (i == m_history.joint())
 			selected = int(rows.size());
-		rows.push_back(
-			{r.isBroken ? TORN : jointColour(r.utilisation, 0),
-			 {records[i].joint->getName(), format("%.0f %%", 100 * r.utilisation),
-			  btElasticPlasticDofName(r.limitingDof), format("%.0f %%", 100 * r.damage), records[i].state(r)}});
+		rows.push_back({r.isBroken ? TORN : jointColour(r.utilisation, 0),
+						{records[i].joint->getName(), format("%.0f %%", 100 * r.utilisation),
+						 btElasticPlasticDofName(r.limitingDof), format("%.0f %%", 100 * r.damage),
+						 nameOf(jointStates(), records[i].state(r))}});
 	}
 	const int clicked = panel.table("joints", {"joint", "load", "limited by", "worn", "state"}, rows, selected);
 	if (clicked >= 0)
@@ -141,9 +133,10 @@ void DemolisherScene::jointTable(Panel& panel)
 
 void DemolisherScene::jointPlots(Panel& panel)
 {
-	const JointRecord& record = m_demolisher->book().records()[m_history.joint()];
-	const JointReading reading = m_demolisher->book().read(record);
-	panel.text(record.scene + ", " + record.joint->getName() + ": " + record.state(reading));
+	const JointRecord& record = m_demolisher->joints().records()[m_history.joint()];
+	const JointReading reading = m_demolisher->joints().read(record);
+	panel.text(nameOf(scenes(), record.scene) + ", " + record.joint->getName() + ": " +
+			   nameOf(jointStates(), record.state(reading)));
 	std::vector<std::string> names;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		names.push_back(btElasticPlasticDofName(i));

@@ -4,20 +4,13 @@
 #include "view/DemolisherScene.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "text/Format.h"
 
 namespace ep
 {
 namespace
 {
-template <class... Values>
-std::string format(const char* pattern, Values... values)
-{
-	char text[128];
-	std::snprintf(text, sizeof text, pattern, values...);
-	return text;
-}
-
 void addRoad(Drawing& drawing, btScalar width)
 {
 	drawing.parts.push_back(
@@ -39,7 +32,7 @@ void DemolisherScene::restart()
 	m_demolisher.reset(new Demolisher(m_settings));
 	m_history.clear();
 	if (m_history.joint() == 0 && m_demolisher->bridge())
-		m_history.follow(m_demolisher->book().numberOf(*m_demolisher->bridge()->joints().front()), BT_EP_BENDING_Z);
+		m_history.follow(m_demolisher->joints().numberOf(*m_demolisher->bridge()->joints().front()), BT_EP_BENDING_Z);
 	if (!m_settings.has(m_looksAt))
 		m_looksAt = m_settings.onTheWay().front();
 }

@@ -4,9 +4,9 @@
 #ifndef EP_DEMOLISHER_SCENE_H
 #define EP_DEMOLISHER_SCENE_H
 
-#include "view/JointHistory.h"
-#include "structures/Parts.h"
 #include "drawing/ViewedScene.h"
+#include "view/JointHistory.h"
+#include "view/Parts.h"
 
 namespace ep
 {

@@ -21,10 +21,10 @@ void JointHistory::clear()
 
 void JointHistory::step(const Demolisher& demolisher)
 {
-	const std::vector<JointRecord>& records = demolisher.book().records();
+	const std::vector<JointRecord>& records = demolisher.joints().records();
 	if (m_joint >= records.size())
 		m_joint = 0;
-	const JointReading r = demolisher.book().read(records[m_joint]);
+	const JointReading r = demolisher.joints().read(records[m_joint]);
 	m_force.push_back(float(r.force[m_dof] / 1000));
 	m_deformation.push_back(float(r.deformation[m_dof] * 1000));
 	m_energy.push_back(float((r.elasticEnergy + r.plasticEnergy) / 1000));

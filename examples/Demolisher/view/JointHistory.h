@@ -4,7 +4,7 @@
 #ifndef EP_JOINT_HISTORY_H
 #define EP_JOINT_HISTORY_H
 
-#include "Demolisher.h"
+#include "simulation/Demolisher.h"
 
 namespace ep
 {
@@ -14,7 +14,7 @@ class JointHistory
 public:
 	static constexpr double LENGTH = 10;  ///< [s]
 
-	/// The number of the joint in the book, and the degree of freedom to follow.
+	/// The number of the joint in the log, and the degree of freedom to follow.
 	void follow(size_t joint, int dof);
 	size_t joint() const { return m_joint; }
 	int dof() const { return m_dof; }

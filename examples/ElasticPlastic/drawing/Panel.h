@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "drawing/Drawing.h"
-#include "world/Named.h"
+#include "text/Named.h"
 
 namespace ep
 {

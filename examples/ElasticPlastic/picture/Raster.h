@@ -5,7 +5,7 @@
 #define EP_PICTURE_RASTER_H
 
 #include "picture/Png.h"
-#include "picture/View.h"
+#include "picture/Projection.h"
 
 namespace ep
 {

@@ -6,14 +6,14 @@
 
 #include <functional>
 
-#include "picture/View.h"
+#include "picture/Projection.h"
 
 namespace ep
 {
 /// How much of the sun reaches a point of the world, 0 to 1.
 using SunLight = std::function<float(const Vector& point, const Vector& normal)>;
 
-// The light of things, linear. The viewer's shaders (viewerShaders.cpp) say the same in their language.
+// The light of things, linear. The viewer's shaders (viewer/Shaders.cpp) say the same in their language.
 
 /// A point of a part, seen from the eye.
 Vector shadeSurface(const Vertex& surface, const Vector& eye, const SunLight& sun);

@@ -5,11 +5,6 @@
 
 namespace ep
 {
-namespace
-{
-btTransform at(btScalar x, btScalar y) { return btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, y, 0)); }
-}  // namespace
-
 BeamOnSupports::Settings::Settings()
 {
 	member.material.m_youngsModulus = btScalar(30e9);
@@ -35,7 +30,7 @@ BeamOnSupports::BeamOnSupports(const Settings& s)
 	m_world.body(0, m_world.box(btVector3(4 * s.length, 1, s.length)), at(s.length / 2, -4));
 	for (btRigidBody* part : m_member.m_parts)
 		part->setFriction(btScalar(0.6));
-	for (btElasticPlasticJoint* joint : m_member.m_joints)
+	for (btElasticPlasticJoint* joint : m_member.joints())
 	{
 		btElasticPlasticCapacity capacity = joint->getCapacity();
 		// Plain concrete with a light reinforcement: a quarter of the section's plastic moment.

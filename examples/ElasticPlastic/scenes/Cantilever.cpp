@@ -41,7 +41,7 @@ double Cantilever::staticSag() const
 	double sag = 0;
 	for (int i = 0; i < s.parts; ++i)
 	{
-		const btElasticPlasticCapacity& joint = m_world.nominal(*(i == 0 ? m_root : m_member.m_joints[i - 1]));
+		const btElasticPlasticCapacity& joint = m_world.nominal(*m_member.m_jointAt[i]);
 		const double beyond = double(m_settings.length) - i * double(m_member.m_partLength);
 		sag += load * beyond * beyond / 2 / double(joint.m_stiffness[BT_EP_BENDING_Z]) * beyond +
 			   load * beyond / double(joint.m_stiffness[BT_EP_SHEAR_Y]);

@@ -45,8 +45,7 @@ double HangingChain::staticStretch() const
 	for (int i = m_settings.member.parts - 1; i >= 0; --i)
 	{
 		weight += double(m_settings.gravity) / double(m_member.m_parts[i]->getInvMass());
-		const btElasticPlasticJoint* joint = i == 0 ? m_top : m_member.m_joints[i - 1];
-		stretch += weight / double(m_world.nominal(*joint).m_stiffness[BT_EP_AXIAL]);
+		stretch += weight / double(m_world.nominal(*m_member.m_jointAt[i]).m_stiffness[BT_EP_AXIAL]);
 	}
 	return stretch;
 }

@@ -7,11 +7,7 @@ namespace ep
 {
 LoadedBeam::Settings::Settings() { member.material.m_yieldStress = btScalar(250e6); }
 
-btRigidBody* LoadedBeam::support(btScalar x)
-{
-	return m_world.body(0, m_world.box(btVector3(1, 1, 1)), btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, 0, 0)),
-						false);
-}
+btRigidBody* LoadedBeam::support(btScalar x) { return m_world.body(0, m_world.box(btVector3(1, 1, 1)), at(x), false); }
 
 LoadedBeam::LoadedBeam(const Settings& s)
 	: m_world(s.method, btVector3(0, 0, 0)),
@@ -20,7 +16,7 @@ LoadedBeam::LoadedBeam(const Settings& s)
 	  m_member(m_world, s.member, btTransform::getIdentity(), s.length),
 	  m_leftEnd(m_member.joinStart(m_world, *m_left)),
 	  m_rightEnd(m_member.joinEnd(m_world, *m_right)),
-	  m_middle(m_member.m_joints[s.member.parts / 2 - 1]),
+	  m_middle(m_member.m_jointAt[s.member.parts / 2]),
 	  m_settings(s)
 {
 	m_world.release(*m_rightEnd, BT_EP_AXIAL);

@@ -9,8 +9,6 @@ namespace ep
 {
 namespace
 {
-btTransform at(btScalar x) { return btTransform(btQuaternion(0, 0, 0, 1), btVector3(x, 0, 0)); }
-
 void makeRigidPlastic(btElasticPlasticJoint& joint)
 {
 	btElasticPlasticCapacity capacity = joint.getCapacity();
@@ -36,11 +34,8 @@ ParkesCantilever::ParkesCantilever(const Settings& s)
 	  m_settings(s)
 {
 	if (s.rigidPlastic)
-	{
-		makeRigidPlastic(*m_root);
-		for (btElasticPlasticJoint* joint : m_member.m_joints)
+		for (btElasticPlasticJoint* joint : m_member.joints())
 			makeRigidPlastic(*joint);
-	}
 	// The mass is fixed to the tip: nothing yields there.
 	btElasticPlasticCapacity tip = m_member.capacity(m_member.m_partLength, 0);
 	tip.scaleYield(100);

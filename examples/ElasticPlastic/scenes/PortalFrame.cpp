@@ -29,7 +29,7 @@ PortalFrame::PortalFrame(const Settings& s)
 	  m_leftColumn(m_world, s.member, pose(SIMD_HALF_PI, 0, 0), s.height),
 	  m_beam(m_world, s.member, pose(0, 0, s.height), s.span),
 	  m_rightColumn(m_world, s.member, pose(-SIMD_HALF_PI, s.span, s.height), s.height),
-	  m_middle(m_beam.m_joints[s.member.parts / 2 - 1]),
+	  m_middle(m_beam.m_jointAt[s.member.parts / 2]),
 	  m_settings(s)
 {
 	m_leftColumn.joinStart(m_world, *m_ground);

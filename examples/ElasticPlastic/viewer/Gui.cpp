@@ -97,8 +97,8 @@ void Gui::end()
 bool Gui::key(int key, bool down)
 {
 	const int x = 0, y = 0;
-	if (key >= ViewerKeys::SPECIAL)
-		(down ? ImGui_ImplGLUT_SpecialFunc : ImGui_ImplGLUT_SpecialUpFunc)(key - ViewerKeys::SPECIAL, x, y);
+	if (key >= Keys::SPECIAL)
+		(down ? ImGui_ImplGLUT_SpecialFunc : ImGui_ImplGLUT_SpecialUpFunc)(key - Keys::SPECIAL, x, y);
 	else
 		(down ? ImGui_ImplGLUT_KeyboardFunc : ImGui_ImplGLUT_KeyboardUpFunc)(static_cast<unsigned char>(key), x, y);
 	return ImGui::GetIO().WantTextInput;

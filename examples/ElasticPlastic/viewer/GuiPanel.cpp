@@ -18,7 +18,7 @@ namespace
 ImU32 shown(const Colour& colour) { return brush::shown(colour, 1); }
 }  // namespace
 
-ViewerPanel::ViewerPanel(const char* title, const Rectangle& place, bool moves)
+GuiPanel::GuiPanel(const char* title, const Rectangle& place, bool moves)
 {
 	const ImGuiCond when = moves ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
 	ImGui::SetNextWindowPos(ImVec2(place.x, place.y), when);
@@ -28,26 +28,26 @@ ViewerPanel::ViewerPanel(const char* title, const Rectangle& place, bool moves)
 	ImGui::PushItemWidth(-ImGui::GetFontSize() * 9.5f);
 }
 
-ViewerPanel::~ViewerPanel()
+GuiPanel::~GuiPanel()
 {
 	ImGui::PopItemWidth();
 	ImGui::End();
 }
 
-bool ViewerPanel::section(const char* title, bool open)
+bool GuiPanel::section(const char* title, bool open)
 {
 	return m_isOpen && ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }
 
-void ViewerPanel::text(const std::string& line) { ImGui::TextUnformatted(line.c_str()); }
+void GuiPanel::text(const std::string& line) { ImGui::TextUnformatted(line.c_str()); }
 
-bool ViewerPanel::button(const char* label) { return ImGui::Button(label); }
+bool GuiPanel::button(const char* label) { return ImGui::Button(label); }
 
-void ViewerPanel::beside() { ImGui::SameLine(); }
+void GuiPanel::beside() { ImGui::SameLine(); }
 
-bool ViewerPanel::check(const char* label, bool& value) { return ImGui::Checkbox(label, &value); }
+bool GuiPanel::check(const char* label, bool& value) { return ImGui::Checkbox(label, &value); }
 
-bool ViewerPanel::choice(const char* label, size_t& index, const std::vector<std::string>& names)
+bool GuiPanel::choice(const char* label, size_t& index, const std::vector<std::string>& names)
 {
 	bool changed = false;
 	if (!ImGui::BeginCombo(label, names[index].c_str()))
@@ -62,7 +62,7 @@ bool ViewerPanel::choice(const char* label, size_t& index, const std::vector<std
 	return changed;
 }
 
-bool ViewerPanel::slider(const char* label, double& value, double low, double high, const char* format)
+bool GuiPanel::slider(const char* label, double& value, double low, double high, const char* format)
 {
 	// Over more than a decade the small values want room too.
 	const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp |
@@ -71,7 +71,7 @@ bool ViewerPanel::slider(const char* label, double& value, double low, double hi
 	return ImGui::IsItemDeactivatedAfterEdit();
 }
 
-bool ViewerPanel::slider(const char* label, int& value, int low, int high)
+bool GuiPanel::slider(const char* label, int& value, int low, int high)
 {
 	ImGui::SliderInt(
 		label, &value, low, high, "%d",
@@ -79,7 +79,7 @@ bool ViewerPanel::slider(const char* label, int& value, int low, int high)
 	return ImGui::IsItemDeactivatedAfterEdit();
 }
 
-void ViewerPanel::shares(const std::vector<Share>& shares, const char* unit)
+void GuiPanel::shares(const std::vector<Share>& shares, const char* unit)
 {
 	double sum = 0;
 	for (const Share& share : shares)
@@ -110,8 +110,8 @@ void ViewerPanel::shares(const std::vector<Share>& shares, const char* unit)
 	}
 }
 
-int ViewerPanel::table(const char* name, const std::vector<std::string>& titles, const std::vector<Row>& rows,
-					   int selected)
+int GuiPanel::table(const char* name, const std::vector<std::string>& titles, const std::vector<Row>& rows,
+					int selected)
 {
 	int clicked = -1;
 	const ImGuiTableFlags flags =
@@ -147,7 +147,7 @@ int ViewerPanel::table(const char* name, const std::vector<std::string>& titles,
 	return clicked;
 }
 
-void ViewerPanel::plot(const char* title, const std::vector<float>& values, const char* unit)
+void GuiPanel::plot(const char* title, const std::vector<float>& values, const char* unit)
 {
 	float low = 0, high = 0;
 	for (float value : values)

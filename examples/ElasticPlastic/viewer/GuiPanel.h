@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#ifndef EP_VIEWER_PANEL_H
-#define EP_VIEWER_PANEL_H
+#ifndef EP_VIEWER_GUI_PANEL_H
+#define EP_VIEWER_GUI_PANEL_H
 
 #include "drawing/Panel.h"
 
 namespace ep
 {
 /// A panel in a window of Dear ImGui, for as long as it lives within a frame.
-class ViewerPanel : public Panel
+class GuiPanel : public Panel
 {
 public:
 	struct Rectangle
@@ -19,8 +19,8 @@ public:
 
 	/// Pixels from the window's top left corner.
 	/// \param moves  to there now; else it stays where a person has put it
-	ViewerPanel(const char* title, const Rectangle& place, bool moves);
-	~ViewerPanel() override;
+	GuiPanel(const char* title, const Rectangle& place, bool moves);
+	~GuiPanel() override;
 
 	bool section(const char* title, bool open) override;
 	void text(const std::string& line) override;
@@ -40,4 +40,4 @@ private:
 };
 }  // namespace ep
 
-#endif  // EP_VIEWER_PANEL_H
+#endif  // EP_VIEWER_GUI_PANEL_H

@@ -11,14 +11,14 @@ namespace ep
 {
 namespace
 {
-const int UP = ViewerKeys::SPECIAL + GLUT_KEY_UP, DOWN = ViewerKeys::SPECIAL + GLUT_KEY_DOWN,
-		  LEFT = ViewerKeys::SPECIAL + GLUT_KEY_LEFT, RIGHT = ViewerKeys::SPECIAL + GLUT_KEY_RIGHT;
+const int UP = Keys::SPECIAL + GLUT_KEY_UP, DOWN = Keys::SPECIAL + GLUT_KEY_DOWN, LEFT = Keys::SPECIAL + GLUT_KEY_LEFT,
+		  RIGHT = Keys::SPECIAL + GLUT_KEY_RIGHT;
 const int ESCAPE = 27;
 
-int plain(int key) { return key < ViewerKeys::SPECIAL ? std::tolower(key) : key; }
+int plain(int key) { return key < Keys::SPECIAL ? std::tolower(key) : key; }
 }  // namespace
 
-ViewerKeys::Command ViewerKeys::key(int key, bool down)
+Keys::Command Keys::key(int key, bool down)
 {
 	key = plain(key);
 	if (!down)
@@ -62,15 +62,15 @@ ViewerKeys::Command ViewerKeys::key(int key, bool down)
 	}
 }
 
-bool ViewerKeys::drives(int key)
+bool Keys::drives(int key)
 {
 	key = plain(key);
 	return key >= SPECIAL || key == 'w' || key == 'a' || key == 's' || key == 'd' || key == ' ';
 }
 
-bool ViewerKeys::isDown(int letter, int arrow) const { return m_down.count(letter) > 0 || m_down.count(arrow) > 0; }
+bool Keys::isDown(int letter, int arrow) const { return m_down.count(letter) > 0 || m_down.count(arrow) > 0; }
 
-Controls ViewerKeys::controls() const
+Controls Keys::controls() const
 {
 	Controls controls;
 	controls.throttle = btScalar(isDown('w', UP) - isDown('s', DOWN));
@@ -79,7 +79,7 @@ Controls ViewerKeys::controls() const
 	return controls;
 }
 
-std::vector<std::string> ViewerKeys::help(bool drive, bool panel)
+std::vector<std::string> Keys::help(bool drive, bool panel)
 {
 	std::vector<std::string> lines;
 	if (drive)

@@ -13,7 +13,7 @@
 namespace ep
 {
 /// What the keys mean, and which are down.
-class ViewerKeys
+class Keys
 {
 public:
 	static const int SPECIAL = 256;  ///< added to the codes of arrows and function keys

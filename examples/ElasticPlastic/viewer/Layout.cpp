@@ -12,7 +12,7 @@ namespace
 const int GAP = 3;
 }
 
-ViewerLayout::ViewerLayout(size_t numViews, bool hasChart, int width, int height)
+Layout::Layout(size_t numViews, bool hasChart, int width, int height)
 {
 	// A window may have no size at all.
 	width = std::max(width, 4 * GAP);

@@ -18,9 +18,9 @@ struct Tile
 };
 
 /// Where in a window things go: the first view large, the others beside it one above the other, below them the chart.
-struct ViewerLayout
+struct Layout
 {
-	ViewerLayout(size_t numViews, bool hasChart, int width, int height);
+	Layout(size_t numViews, bool hasChart, int width, int height);
 
 	std::vector<Tile> views;
 	Tile chart;  ///< over the view if there is but one

@@ -48,7 +48,7 @@ void writeLegend(const std::vector<Drawing::Key>& legend, int height)
 }
 }  // namespace
 
-void drawOverlay(const Overlay& overlay, const ViewerLayout& layout, int width, int height)
+void drawOverlay(const Overlay& overlay, const Layout& layout, int width, int height)
 {
 	const Drawing& drawing = overlay.drawing;
 	writeLines(margin(), margin(), drawing.text);

@@ -17,7 +17,7 @@ struct Overlay
 	std::string note;  ///< in the middle
 };
 
-void drawOverlay(const Overlay& overlay, const ViewerLayout& layout, int width, int height);
+void drawOverlay(const Overlay& overlay, const Layout& layout, int width, int height);
 }  // namespace ep
 
 #endif  // EP_VIEWER_OVERLAY_H

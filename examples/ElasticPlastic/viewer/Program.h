@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "picture/View.h"
+#include "picture/Projection.h"
 
 namespace ep
 {

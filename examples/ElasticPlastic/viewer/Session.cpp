@@ -29,20 +29,19 @@ View fitted(View view, const Tile& tile)
 }
 }  // namespace
 
-Viewer::Viewer(ViewedScene& scene, const ViewerOptions& options)
+Session::Session(ViewedScene& scene, const WindowOptions& options)
 	: m_scene(scene),
 	  m_options(options),
 	  m_renderer(new Renderer),
-	  m_gui(new Gui(options.textSize)),
+	  m_gui(new Gui(float(options.textSize))),
 	  m_camera(!scene.draw().views.empty()),
 	  m_last(Clock::now()),
-	  m_panel(options.panel)
+	  m_panel(!options.noPanel)
 {
-	if (!options.camera.empty())
-		m_camera.select(options.camera);
+	m_camera.select(options.camera);
 }
 
-void Viewer::close()
+void Session::close()
 {
 	m_running = false;
 	m_recorder.reset();
@@ -51,7 +50,7 @@ void Viewer::close()
 }
 
 /// \return real time since the last frame [s]
-double Viewer::passTime()
+double Session::passTime()
 {
 	// Where the display does not hold frames back, nobody sees more than these.
 	std::this_thread::sleep_until(m_last + std::chrono::milliseconds(8));
@@ -62,7 +61,7 @@ double Viewer::passTime()
 	return seconds;
 }
 
-void Viewer::frame()
+void Session::frame()
 {
 	const double seconds = passTime();
 	++m_frames;
@@ -79,7 +78,7 @@ void Viewer::frame()
 	glutSwapBuffers();
 }
 
-void Viewer::simulate(double seconds)
+void Session::simulate(double seconds)
 {
 	const double step = double(m_scene.stepTime());
 	// A slow machine falls behind real time rather than more and more behind itself.
@@ -91,7 +90,7 @@ void Viewer::simulate(double seconds)
 	m_stepRate += (steps / seconds - m_stepRate) * .05;
 }
 
-void Viewer::draw(double seconds)
+void Session::draw(double seconds)
 {
 	const int width = glutGet(GLUT_WINDOW_WIDTH), height = glutGet(GLUT_WINDOW_HEIGHT);
 	const float aspect = float(width) / float(std::max(1, height));
@@ -105,7 +104,7 @@ void Viewer::draw(double seconds)
 	if (!m_camera.showsViews())
 		views.assign(
 			1, {drawing.parts, m_camera.camera(m_scene, drawing.subject, aspect, btScalar(seconds)), drawing.skins});
-	const ViewerLayout layout(views.size(), !drawing.chart.bands.empty(), width, height);
+	const Layout layout(views.size(), !drawing.chart.bands.empty(), width, height);
 
 	glClear(GL_COLOR_BUFFER_BIT);
 	for (size_t i = 0; i < views.size(); ++i)
@@ -117,7 +116,7 @@ void Viewer::draw(double seconds)
 	m_gui->end();
 }
 
-void Viewer::drawPanels(int width, int height)
+void Session::drawPanels(int width, int height)
 {
 	const float line = float(brush::scaled(18)), panelWidth = 20 * line;
 	const bool moves = width != m_width || height != m_height;
@@ -129,35 +128,35 @@ void Viewer::drawPanels(int width, int height)
 	{
 		// Beside the legend below, and the note on help above.
 		const float x = i == 0 ? line / 2 : float(width) - panelWidth - line / 2, y = i == 0 ? line / 2 : 3 * line;
-		ViewerPanel panel(titles[i].c_str(), {x, y, panelWidth, float(height) - y - (i == 0 ? 3 : 1) * line}, moves);
+		GuiPanel panel(titles[i].c_str(), {x, y, panelWidth, float(height) - y - (i == 0 ? 3 : 1) * line}, moves);
 		if (i == 0)
 			drawTime(panel);
 		m_scene.panel(i, panel);
 	}
 }
 
-void Viewer::drawTime(Panel& panel)
+void Session::drawTime(Panel& panel)
 {
 	char text[96];
 	std::snprintf(text, sizeof text, "%.0f pictures, %.0f steps a second", m_frameRate, m_stepRate);
 	panel.text(text);
 	if (panel.button(m_paused ? "Go on" : "Pause"))
-		command(ViewerKeys::PAUSE);
+		command(Keys::PAUSE);
 	panel.beside();
 	if (panel.button("Step"))
-		command(ViewerKeys::SINGLE_STEP);
+		command(Keys::SINGLE_STEP);
 	panel.beside();
 	if (panel.button("Restart"))
-		command(ViewerKeys::RESTART);
+		command(Keys::RESTART);
 	panel.beside();
 	if (panel.button("Help"))
-		command(ViewerKeys::HELP);
+		command(Keys::HELP);
 	panel.slider("tempo", m_tempo, SLOWEST, FASTEST, "%.3g x");
 }
 
-std::vector<std::string> Viewer::help() const
+std::vector<std::string> Session::help() const
 {
-	std::vector<std::string> lines = ViewerKeys::help(m_scene.isDriven(), !m_scene.panels().empty());
+	std::vector<std::string> lines = Keys::help(m_scene.isDriven(), !m_scene.panels().empty());
 	for (const std::string& line : m_scene.keyHelp())
 		lines.push_back(line);
 	lines.push_back(std::string("Camera: ") + m_camera.name());
@@ -165,55 +164,55 @@ std::vector<std::string> Viewer::help() const
 	return lines;
 }
 
-void Viewer::command(ViewerKeys::Command command)
+void Session::command(Keys::Command command)
 {
 	switch (command)
 	{
-		case ViewerKeys::PAUSE:
+		case Keys::PAUSE:
 			m_paused = !m_paused;
 			break;
-		case ViewerKeys::SINGLE_STEP:
+		case Keys::SINGLE_STEP:
 			m_paused = true;
 			m_scene.step(m_keys.controls());
 			break;
-		case ViewerKeys::RESTART:
+		case Keys::RESTART:
 			m_scene.restart();
 			break;
-		case ViewerKeys::CAMERA:
+		case Keys::CAMERA:
 			m_camera.next();
 			break;
-		case ViewerKeys::HELP:
+		case Keys::HELP:
 			m_help = !m_help;
 			break;
-		case ViewerKeys::SCREENSHOT:
+		case Keys::SCREENSHOT:
 			save("screenshot-" + std::to_string(++m_screenshots) + ".png");
 			break;
-		case ViewerKeys::RECORD:
+		case Keys::RECORD:
 			if (m_recorder)
 				endFilm();
 			else
 				startFilm("film-" + std::to_string(++m_films) + ".mp4");
 			break;
-		case ViewerKeys::SLOWER:
+		case Keys::SLOWER:
 			m_tempo = std::max(SLOWEST, m_tempo / 2);
 			break;
-		case ViewerKeys::FASTER:
+		case Keys::FASTER:
 			m_tempo = std::min(FASTEST, m_tempo * 2);
 			break;
-		case ViewerKeys::PANEL:
+		case Keys::PANEL:
 			m_panel = !m_panel;
 			break;
-		case ViewerKeys::QUIT:
+		case Keys::QUIT:
 			m_running = false;
 			break;
-		case ViewerKeys::NOTHING:
+		case Keys::NOTHING:
 			break;
 		default:
-			m_scene.jump(command - ViewerKeys::JUMP);
+			m_scene.jump(command - Keys::JUMP);
 	}
 }
 
-void Viewer::key(int key, bool down)
+void Session::key(int key, bool down)
 {
 	if (!m_gui)
 		return;  // the window has just been closed
@@ -222,8 +221,8 @@ void Viewer::key(int key, bool down)
 		// Typing in a field drives nothing; a key that was down before must come up.
 		if (m_gui->key(key, down) && down)
 			return;
-		const ViewerKeys::Command wanted = m_keys.key(key, down);
-		if (wanted != ViewerKeys::NOTHING)
+		const Keys::Command wanted = m_keys.key(key, down);
+		if (wanted != Keys::NOTHING)
 			command(wanted);
 		else if (down && !m_keys.drives(key))
 			m_scene.key(char(key));
@@ -235,7 +234,7 @@ void Viewer::key(int key, bool down)
 	}
 }
 
-void Viewer::mouseButton(int button, int state, int x, int y)
+void Session::mouseButton(int button, int state, int x, int y)
 {
 	if (!m_gui)
 		return;
@@ -248,7 +247,7 @@ void Viewer::mouseButton(int button, int state, int x, int y)
 	m_mouseY = y;
 }
 
-void Viewer::mouseMove(int x, int y)
+void Session::mouseMove(int x, int y)
 {
 	if (!m_gui)
 		return;

@@ -7,21 +7,22 @@
 #include <chrono>
 #include <memory>
 
-#include "viewer/Viewer.h"
-#include "viewer/Camera.h"
+#include "cli/WindowOptions.h"
+#include "drawing/ViewedScene.h"
 #include "viewer/Gui.h"
 #include "viewer/Keys.h"
 #include "viewer/Recorder.h"
 #include "viewer/Renderer.h"
+#include "viewer/UserCamera.h"
 
 namespace ep
 {
 /// What goes on in the window: time, camera, keys, pictures.
-class Viewer
+class Session
 {
 public:
 	/// Needs a current OpenGL context.
-	Viewer(ViewedScene& scene, const ViewerOptions& options);
+	Session(ViewedScene& scene, const WindowOptions& options);
 
 	bool isRunning() const { return m_running; }
 
@@ -47,17 +48,17 @@ private:
 	void addToFilm();
 	void startFilm(const std::string& file);
 	void endFilm();
-	void command(ViewerKeys::Command command);
+	void command(Keys::Command command);
 	void save(const std::string& file);
 	std::vector<std::string> help() const;
 
 	ViewedScene& m_scene;
-	ViewerOptions m_options;
+	WindowOptions m_options;
 	std::unique_ptr<Renderer> m_renderer;
 	std::unique_ptr<Gui> m_gui;
 	std::unique_ptr<Recorder> m_recorder;
-	ViewerCamera m_camera;
-	ViewerKeys m_keys;
+	UserCamera m_camera;
+	Keys m_keys;
 	Clock::time_point m_last;
 	double m_frameRate = 0;  ///< smoothed [1/s]
 	double m_stepRate = 0;   ///< of the scene, the same

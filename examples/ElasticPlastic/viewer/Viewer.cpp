@@ -4,6 +4,7 @@
 #include "viewer/Viewer.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "viewer/Gl.h"
 #include "viewer/Session.h"
@@ -12,9 +13,9 @@ namespace ep
 {
 namespace
 {
-Viewer* theViewer = nullptr;  // GLUT's callbacks take no argument of ours
+Session* theSession = nullptr;  // GLUT's callbacks take no argument of ours
 
-int openWindow(const ViewerOptions& options, const std::string& title)
+int openWindow(const WindowOptions& options, const std::string& title)
 {
 	int argc = 1;
 	char name[] = "viewer", *argv[] = {name, nullptr};
@@ -35,18 +36,18 @@ int openWindow(const ViewerOptions& options, const std::string& title)
 void setCallbacks()
 {
 	glutDisplayFunc([] {});  // every frame is drawn anyhow, but GLUT insists
-	glutCloseFunc([] { theViewer->close(); });
+	glutCloseFunc([] { theSession->close(); });
 	glutIgnoreKeyRepeat(1);
-	glutKeyboardFunc([](unsigned char k, int, int) { theViewer->key(k, true); });
-	glutKeyboardUpFunc([](unsigned char k, int, int) { theViewer->key(k, false); });
-	glutSpecialFunc([](int k, int, int) { theViewer->key(ViewerKeys::SPECIAL + k, true); });
-	glutSpecialUpFunc([](int k, int, int) { theViewer->key(ViewerKeys::SPECIAL + k, false); });
-	glutMouseFunc([](int button, int state, int x, int y) { theViewer->mouseButton(button, state, x, y); });
-	glutMotionFunc([](int x, int y) { theViewer->mouseMove(x, y); });
-	glutPassiveMotionFunc([](int x, int y) { theViewer->mouseMove(x, y); });
+	glutKeyboardFunc([](unsigned char k, int, int) { theSession->key(k, true); });
+	glutKeyboardUpFunc([](unsigned char k, int, int) { theSession->key(k, false); });
+	glutSpecialFunc([](int k, int, int) { theSession->key(Keys::SPECIAL + k, true); });
+	glutSpecialUpFunc([](int k, int, int) { theSession->key(Keys::SPECIAL + k, false); });
+	glutMouseFunc([](int button, int state, int x, int y) { theSession->mouseButton(button, state, x, y); });
+	glutMotionFunc([](int x, int y) { theSession->mouseMove(x, y); });
+	glutPassiveMotionFunc([](int x, int y) { theSession->mouseMove(x, y); });
 }
 
-/// The window goes before its viewer does, however that ends.
+/// The window goes before its session does, however that ends.
 struct WindowEnd
 {
 	int window;
@@ -58,27 +59,37 @@ struct WindowEnd
 			glutDestroyWindow(window);
 			glutMainLoopEvent();  // only now the window goes, and close() is called
 		}
-		theViewer = nullptr;
+		theSession = nullptr;
 	}
 };
 }  // namespace
 
-void runViewer(ViewedScene& scene, const ViewerOptions& options)
+bool hasDisplay()
+{
+#if defined(__unix__) && !defined(__APPLE__)
+	const char* const display = std::getenv("DISPLAY");
+	return display && *display;
+#else
+	return true;
+#endif
+}
+
+void runViewer(ViewedScene& scene, const WindowOptions& options)
 {
 	if (!options.screenshot.empty())
 		for (double time = 0; time < options.screenshotTime; time += double(scene.stepTime()))
 			scene.step(Controls());
 
 	const int window = openWindow(options, scene.title());
-	Viewer viewer(scene, options);
+	Session session(scene, options);
 	const WindowEnd end = {window};
-	theViewer = &viewer;
+	theSession = &session;
 	setCallbacks();
 	glutMainLoopEvent();
 	// Not glutMainLoop(): it would let no exception through.
-	while (viewer.isRunning())
+	while (session.isRunning())
 	{
-		viewer.frame();
+		session.frame();
 		glutMainLoopEvent();
 	}
 }

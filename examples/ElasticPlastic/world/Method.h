@@ -5,7 +5,7 @@
 #define EP_METHOD_H
 
 #include "world/Engine.h"
-#include "world/Named.h"
+#include "text/Named.h"
 
 namespace ep
 {

@@ -3,8 +3,6 @@
 
 #include "world/World.h"
 
-#include <algorithm>
-
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h"
 #include "BulletDynamics/MLCPSolvers/btDantzigSolver.h"
@@ -88,13 +86,13 @@ World::World(const Method& method, const btVector3& gravity, std::unique_ptr<btC
 
 World::~World()
 {
-	for (BulletJoint* joint : m_whole)
-		m_world->removeConstraint(&joint->constraint());
+	for (HeldJoint& held : m_joints)
+		m_world->removeConstraint(held.inPlace ? &held.inPlace->constraint() : held.owner.get());
 	for (auto& constraint : m_constraints)
 		m_world->removeConstraint(constraint.get());
 	for (auto& body : m_bodies)
 		m_world->removeRigidBody(body.get());
-	m_inPlaceOf.clear();
+	m_joints.clear();
 	m_constraints.clear();
 	m_world->removeAction(&m_action);
 }
@@ -152,37 +150,50 @@ btElasticPlasticJoint* World::joint(btRigidBody& a, btRigidBody& b, const btTran
 		joint = new btElasticPlastic6DofSpringConstraint(a, b, inA, inB);
 	else
 		joint = new btElasticPlastic6DofSpring2Constraint(a, b, inA, inB);
-	if (joint->setCapacity(without(capacity, m_method)) && !m_method.has(parts::OfJoints))
-		m_nominal[joint] = capacity;
-	m_joints.push_back(joint);
+	HeldJoint held = {joint, std::unique_ptr<btTypedConstraint>(&joint->getConstraint()), nullptr, capacity};
+	// What it refuses is not its capacity, with or without parts.
+	if (!joint->setCapacity(without(capacity, m_method)))
+		held.nominal = joint->getCapacity();
 	const JointKind kind = {m_method.joints, jointClass};
-	if (!kind.isElasticPlastic())
+	if (kind.isElasticPlastic())
 	{
-		m_aside.emplace_back(&joint->getConstraint());
-		if (auto own = BulletJoint::make(kind, a, b, frame, capacity))
-		{
-			m_world->addConstraint(&own->constraint(), true);
-			m_whole.push_back(own.get());
-			m_inPlaceOf[joint] = std::move(own);
-		}
-		return joint;
+		joint->setScheme(m_method.joints == Joints::Paper ? BT_EP_SCHEME_PAPER : BT_EP_SCHEME_IMPLICIT);
+		m_world->addConstraint(held.owner.get(), true);
+		m_action.addJoint(joint);
 	}
-	joint->setScheme(m_method.joints == Joints::Paper ? BT_EP_SCHEME_PAPER : BT_EP_SCHEME_IMPLICIT);
-	add(&joint->getConstraint());
-	m_action.addJoint(joint);
+	else if ((held.inPlace = BulletJoint::make(kind, a, b, frame, capacity)))
+		m_world->addConstraint(&held.inPlace->constraint(), true);
+	m_joints.push_back(std::move(held));
 	return joint;
+}
+
+std::vector<btElasticPlasticJoint*> World::joints() const
+{
+	std::vector<btElasticPlasticJoint*> joints;
+	joints.reserve(m_joints.size());
+	for (const HeldJoint& held : m_joints)
+		joints.push_back(held.joint);
+	return joints;
+}
+
+const World::HeldJoint* World::find(const btElasticPlasticJoint& joint) const
+{
+	for (const HeldJoint& held : m_joints)
+		if (held.joint == &joint)
+			return &held;
+	return nullptr;
 }
 
 const BulletJoint* World::inPlaceOf(const btElasticPlasticJoint& joint) const
 {
-	const auto own = m_inPlaceOf.find(&joint);
-	return own == m_inPlaceOf.end() ? nullptr : own->second.get();
+	const HeldJoint* const held = find(joint);
+	return held ? held->inPlace.get() : nullptr;
 }
 
 const btElasticPlasticCapacity& World::nominal(const btElasticPlasticJoint& joint) const
 {
-	const auto given = m_nominal.find(&joint);
-	return given == m_nominal.end() ? joint.getCapacity() : given->second;
+	const HeldJoint* const held = find(joint);
+	return held && !m_method.has(parts::OfJoints) ? held->nominal : joint.getCapacity();
 }
 
 void World::release(btElasticPlasticJoint& joint, int dof)
@@ -196,9 +207,9 @@ void World::release(btElasticPlasticJoint& joint, int dof)
 		static_cast<btGeneric6DofSpringConstraint&>(constraint).setLimit(dof, 1, -1);
 	else
 		static_cast<btGeneric6DofSpring2Constraint&>(constraint).setLimit(dof, 1, -1);
-	const auto own = m_inPlaceOf.find(&joint);
-	if (own != m_inPlaceOf.end())
-		own->second->release(dof);
+	if (const HeldJoint* const held = find(joint))
+		if (held->inPlace)
+			held->inPlace->release(dof);
 }
 
 void World::add(btTypedConstraint* constraint, bool disableCollisions)
@@ -226,18 +237,19 @@ void World::substep(btScalar dt)
 		m_beforeSubstep(dt);
 	if (m_engine)
 		return m_engine->step(dt);
-	for (BulletJoint* joint : m_whole)
-		joint->beforeStep(dt);
+	for (HeldJoint& held : m_joints)
+		if (held.inPlace && !held.letGo)
+			held.inPlace->beforeStep(dt);
 	m_world->stepSimulation(dt, 0);
-	for (BulletJoint* joint : m_whole)
-		joint->afterStep(dt);
-	const auto goes = [this](BulletJoint* joint)
+	for (HeldJoint& held : m_joints)
 	{
-		if (joint->isBroken())
-			m_world->removeConstraint(&joint->constraint());
-		return joint->isBroken();
-	};
-	m_whole.erase(std::remove_if(m_whole.begin(), m_whole.end(), goes), m_whole.end());
+		if (!held.inPlace || held.letGo)
+			continue;
+		held.inPlace->afterStep(dt);
+		held.letGo = held.inPlace->isBroken();
+		if (held.letGo)
+			m_world->removeConstraint(&held.inPlace->constraint());
+	}
 }
 
 double kineticEnergy(const btRigidBody& body, const btMatrix3x3& basis)

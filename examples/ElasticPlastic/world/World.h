@@ -5,7 +5,6 @@
 #define EP_WORLD_H
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -19,6 +18,11 @@ namespace ep
 {
 /// With its velocities and the orientation given, which may be that of another time [J].
 double kineticEnergy(const btRigidBody& body, const btMatrix3x3& basis);
+
+class World;
+
+/// Looks at a world: when a run begins, and after each of its steps.
+typedef std::function<void(World& world, double time)> Watch;
 
 /// A Bullet world with its parts, its elastic-plastic action, and all that scenes add to it. Owns everything.
 class World
@@ -55,7 +59,7 @@ public:
 	void keepAwake();
 
 	/// Joins two bodies at a frame given in world coordinates, x along the member, by the method's joints.
-	/// \return the joint, in the action's books; where one of Bullet's or nothing takes its place, it is not in the world and
+	/// \return the joint, registered with the action; where one of Bullet's or nothing takes its place, it is not in the world and
 	/// only tells its capacity
 	btElasticPlasticJoint* joint(btRigidBody& a, btRigidBody& b, const btTransform& frame,
 								 const btElasticPlasticCapacity& capacity)
@@ -78,7 +82,9 @@ public:
 	void add(btTypedConstraint* constraint, bool disableCollisions = true);
 
 	const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return m_bodies; }
-	const std::vector<btElasticPlasticJoint*>& joints() const { return m_joints; }
+
+	/// In the order in which they were asked for.
+	std::vector<btElasticPlasticJoint*> joints() const;
 
 	/// All is built: another engine takes over, if the method names one. The first step does it too.
 	void start();
@@ -95,8 +101,19 @@ public:
 	double kineticEnergy() const;
 
 private:
+	/// A joint that holds two bodies.
+	struct HeldJoint
+	{
+		btElasticPlasticJoint* joint;
+		std::unique_ptr<btTypedConstraint> owner;  ///< of the joint: the constraint that it is
+		std::unique_ptr<BulletJoint> inPlace;      ///< one of Bullet's own that holds in its place, else null
+		btElasticPlasticCapacity nominal;          ///< as it was given, with the parts that the method leaves out
+		bool letGo = false;                        ///< the one in its place has left the world
+	};
+
 	std::unique_ptr<btConstraintSolver> makeSolver();
 	void substep(btScalar dt);
+	const HeldJoint* find(const btElasticPlasticJoint& joint) const;
 
 	Method m_method;
 	btDefaultCollisionConfiguration m_configuration;
@@ -109,13 +126,9 @@ private:
 	std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
 	std::vector<std::unique_ptr<btRigidBody>> m_bodies;
 	std::vector<std::unique_ptr<btTypedConstraint>> m_constraints;
-	std::vector<std::unique_ptr<btTypedConstraint>> m_aside;  // joints that are not in the world
-	std::map<const btElasticPlasticJoint*, std::unique_ptr<BulletJoint>> m_inPlaceOf;
-	std::vector<BulletJoint*> m_whole;  // of these, those that hold
-	std::vector<btElasticPlasticJoint*> m_joints;
+	std::vector<HeldJoint> m_joints;
 	std::function<void(btScalar)> m_beforeSubstep;
-	std::map<const btElasticPlasticJoint*, btElasticPlasticCapacity> m_nominal;  // of those with parts left out
-	std::unique_ptr<Engine> m_engine;                                            // null: Bullet
+	std::unique_ptr<Engine> m_engine;  // null: Bullet
 };
 }  // namespace ep
 

@@ -7,9 +7,10 @@ namespace ep
 {
 std::string Case::name() const
 {
+	const std::string end = "." + nameOf(precisions(), precision);
 	if (problem == STABILITY)
-		return problem + "." + precision;
-	return problem + "." + std::to_string(rate) + "x" + std::to_string(substeps) + "." + precision;
+		return problem + end;
+	return problem + "." + std::to_string(rate) + "x" + std::to_string(substeps) + end;
 }
 
 namespace
@@ -23,12 +24,12 @@ const Stepped FULL[] = {{30, 1},   {60, 1}, {120, 1}, {240, 1}, {480, 1}, {960, 
 						{1920, 1}, {60, 2}, {60, 4},  {60, 8},  {60, 16}, {60, 32}};
 }  // namespace
 
-std::vector<Case> casesOf(const std::vector<std::string>& problems, const std::vector<std::string>& precisions,
+std::vector<Case> casesOf(const std::vector<std::string>& problems, const std::vector<Precision>& precisions,
 						  bool quick)
 {
 	std::vector<Case> cases;
 	for (const std::string& problem : problems)
-		for (const std::string& precision : precisions)
+		for (const Precision precision : precisions)
 		{
 			if (problem == Case::STABILITY)
 			{
@@ -38,14 +39,7 @@ std::vector<Case> casesOf(const std::vector<std::string>& problems, const std::v
 			const Stepped* const begin = quick ? QUICK : FULL;
 			const Stepped* const end = quick ? std::end(QUICK) : std::end(FULL);
 			for (const Stepped* s = begin; s != end; ++s)
-			{
-				Case c;
-				c.problem = problem;
-				c.precision = precision;
-				c.rate = s->rate;
-				c.substeps = s->substeps;
-				cases.push_back(c);
-			}
+				cases.push_back({problem, precision, s->rate, s->substeps});
 		}
 	return cases;
 }

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "collect/Choices.h"
+
 namespace ep
 {
 /// What one process computes: a problem at one step in one precision, by all methods, which take turns; or, as problem
@@ -15,8 +17,9 @@ struct Case
 {
 	static constexpr const char* STABILITY = "stability";
 
-	std::string problem, precision;  ///< float or double
-	int rate = 60;                   ///< steps per second
+	std::string problem;
+	Precision precision;
+	int rate = 60;  ///< steps per second
 	int substeps = 1;
 
 	/// A name for files: cantilever-at-rest.60x1.float
@@ -24,7 +27,7 @@ struct Case
 };
 
 /// All cases of some problems. \param quick  few steps
-std::vector<Case> casesOf(const std::vector<std::string>& problems, const std::vector<std::string>& precisions,
+std::vector<Case> casesOf(const std::vector<std::string>& problems, const std::vector<Precision>& precisions,
 						  bool quick);
 }  // namespace ep
 

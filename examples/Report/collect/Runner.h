@@ -14,8 +14,8 @@ namespace ep
 {
 struct RunnerSettings
 {
-	std::string folder;                           ///< for the cases' files
-	std::map<std::string, std::string> programs;  ///< by precision
+	std::string folder;                         ///< for the cases' files
+	std::map<Precision, std::string> programs;  ///< that compute cases
 	int jobs = 1;
 	int repeats = 3;
 	bool quick = false;

@@ -5,65 +5,42 @@
 
 namespace ep
 {
-const char* nameOf(Solver solver)
+namespace
 {
-	switch (solver)
-	{
-		case Solver::Stock:
-			return "stock";
-		case Solver::Nncg:
-			return "nncg";
-		case Solver::Mlcp:
-			return "mlcp";
-		case Solver::Iterative:
-			return "iterative";
-		case Solver::Direct:
-			return "direct";
-	}
-	return "?";
-}
-
-const char* nameOf(Joints joints)
+Scheme schemeOf(Joints joints)
 {
 	switch (joints)
 	{
-		case Joints::ElasticPlastic:
-			return "default";
 		case Joints::Paper:
-			return "paper";
+			return Scheme::Paper;
 		case Joints::Fixed:
-			return "bullet-fixed";
+			return Scheme::BulletFixed;
 		case Joints::Springs:
-			return "bullet-spring2";
+			return Scheme::BulletSpring2;
+		case Joints::ElasticPlastic:
 		case Joints::None:
 		case Joints::Breaking:
 		case Joints::HingeMotor:
 		case Joints::PlasticHinge:
-			break;  // not compared
+			break;  // the last four are not compared
 	}
-	return "?";
+	return Scheme::Default;
 }
-
-const char* nameOf(JointClass jointClass) { return jointClass == JointClass::Spring ? "spring" : "spring2"; }
-
-namespace
-{
-bool iterates(Solver solver) { return solver != Solver::Mlcp && solver != Solver::Direct; }
 
 void addParts(std::vector<Setting>& settings)
 {
-	Setting whole = {Solver::Direct, "everything"};
+	Setting whole = {Solver::Direct, Scheme::Everything};
 	whole.method.without = parts::Nothing;
 	settings.push_back(whole);
 	const struct
 	{
 		unsigned part;
-		const char* scheme;
-	} all[] = {{parts::Elasticity, "without elasticity"},
-			   {parts::Shear, "without shear rows"},
-			   {parts::Torsion, "without torsion rows"},
-			   {parts::ContactCoupling, "without contact coupling"},
-			   {parts::ContinuousCollision, "without continuous collision"}};
+		Scheme scheme;
+	} all[] = {{parts::Elasticity, Scheme::WithoutElasticity},
+			   {parts::Shear, Scheme::WithoutShear},
+			   {parts::Torsion, Scheme::WithoutTorsion},
+			   {parts::ContactCoupling, Scheme::WithoutContactCoupling},
+			   {parts::ContinuousCollision, Scheme::WithoutContinuousCollision}};
 	for (const auto& p : all)
 	{
 		Setting setting = whole;
@@ -73,7 +50,7 @@ void addParts(std::vector<Setting>& settings)
 	}
 	Setting iterative = whole;
 	iterative.method.solver = Solver::Iterative;
-	iterative.scheme = "without direct solve";
+	iterative.scheme = Scheme::WithoutDirectSolve;
 	settings.push_back(iterative);
 }
 }  // namespace
@@ -100,8 +77,8 @@ std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick)
 			return;
 		for (const int n : iterations)
 		{
-			settings.push_back({Method(solver, {joints, jointClass}, n), nameOf(joints)});
-			if (!iterates(solver))
+			settings.push_back({Method(solver, {joints, jointClass}, n), schemeOf(joints)});
+			if (!iterates(reportSolverOf(solver)))
 				break;
 		}
 	};
@@ -117,7 +94,7 @@ std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick)
 			add(joints, solver, JointClass::Spring2);
 	if (rate == 60 && substeps == 1)
 		for (const double budget : {0.1, 0.01, 0.001})
-			settings.push_back({Solver::Direct, "profile", budget});
+			settings.push_back({Solver::Direct, Scheme::Profile, budget});
 	if (rate == 60 && substeps == 8)
 		addParts(settings);
 	return settings;

@@ -4,25 +4,26 @@
 #ifndef EP_REPORT_METHODS_H
 #define EP_REPORT_METHODS_H
 
-#include <string>
 #include <vector>
 
+#include "collect/Choices.h"
 #include "world/World.h"
 
 namespace ep
 {
-/// As reports call them.
-const char* nameOf(Solver solver);
-const char* nameOf(Joints joints);
-const char* nameOf(JointClass jointClass);
-
 /// What a problem is computed by.
 struct Setting
 {
 	Method method;
-	std::string scheme;       ///< as records call it
-	double budget = 0;        ///< above 0: substeps by btElasticPlasticStepControl for this error
-	std::string engine = {};  ///< another engine's solver, as records call it; empty: the method's own
+	Scheme scheme;
+	double budget = 0;                        ///< above 0: substeps by btElasticPlasticStepControl for this error
+	std::optional<ReportSolver> engine = {};  ///< another engine's solver; none: the method's
+
+	ReportSolver solver() const { return engine ? *engine : reportSolverOf(method.solver); }
+	std::optional<JointClass> jointClass() const
+	{
+		return engine ? std::nullopt : std::optional<JointClass>(method.jointClass);
+	}
 };
 
 /// Of iterative solvers.

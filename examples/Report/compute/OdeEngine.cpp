@@ -5,6 +5,8 @@
 
 #include <ode/ode.h>
 
+#include <map>
+
 namespace ep
 {
 namespace
@@ -76,13 +78,13 @@ public:
 		dWorldSetQuickStepNumIterations(m_world.get(), scene.method().iterations);
 		// QuickStep shuffles its rows.
 		dRandSetSeed(0);
-		std::map<const btRigidBody*, dBodyID> twins;
+		std::map<const btRigidBody*, dBodyID> odeBodies;
 		for (const auto& body : scene.bodies())
-			twins[body.get()] = add(*body);
+			odeBodies[body.get()] = add(*body);
 		for (const btElasticPlasticJoint* joint : scene.joints())
 		{
-			const dBodyID a = twins.at(&joint->getConstraint().getRigidBodyA()),
-						  b = twins.at(&joint->getConstraint().getRigidBodyB());
+			const dBodyID a = odeBodies.at(&joint->getConstraint().getRigidBodyA()),
+						  b = odeBodies.at(&joint->getConstraint().getRigidBodyB());
 			if (joints == OdeJoints::Soft)
 				m_springs.emplace_back(m_world.get(), a, b, *joint, scene.nominal(*joint), gravity);
 			else
@@ -97,31 +99,31 @@ public:
 				spring.prepare(double(dt));
 		m_dt = double(dt);
 		m_step(m_world.get(), m_dt);
-		for (const auto& [body, twin] : m_moving)
-			show(*body, twin);
+		for (const auto& [body, odeBody] : m_moving)
+			show(*body, odeBody);
 	}
 
 private:
 	dBodyID add(btRigidBody& body)
 	{
-		const dBodyID twin = dBodyCreate(m_world.get());
+		const dBodyID odeBody = dBodyCreate(m_world.get());
 		const btVector3 place = body.getCenterOfMassPosition();
 		const btQuaternion turn = body.getOrientation();
 		const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
-		dBodySetPosition(twin, place.x(), place.y(), place.z());
-		dBodySetQuaternion(twin, q);
+		dBodySetPosition(odeBody, place.x(), place.y(), place.z());
+		dBodySetQuaternion(odeBody, q);
 		if (body.getInvMass() == 0)
 		{
-			dBodySetKinematic(twin);
-			return twin;
+			dBodySetKinematic(odeBody);
+			return odeBody;
 		}
 		const btVector3& inverse = body.getInvInertiaDiagLocal();
 		dMass mass;
 		dMassSetParameters(&mass, 1 / body.getInvMass(), 0, 0, 0, 1 / inverse.x(), 1 / inverse.y(), 1 / inverse.z(), 0,
 						   0, 0);
-		dBodySetMass(twin, &mass);
-		m_moving.emplace_back(&body, twin);
-		return twin;
+		dBodySetMass(odeBody, &mass);
+		m_moving.emplace_back(&body, odeBody);
+		return odeBody;
 	}
 
 	void fix(dBodyID a, dBodyID b)
@@ -131,15 +133,15 @@ private:
 		dJointSetFixed(joint);
 	}
 
-	static void show(btRigidBody& body, dBodyID twin)
+	static void show(btRigidBody& body, dBodyID odeBody)
 	{
 		const auto vector = [](const dReal* v) { return btVector3(btScalar(v[0]), btScalar(v[1]), btScalar(v[2])); };
-		const dReal* const q = dBodyGetQuaternion(twin);
+		const dReal* const q = dBodyGetQuaternion(odeBody);
 		body.setCenterOfMassTransform(
 			btTransform(btQuaternion(btScalar(q[1]), btScalar(q[2]), btScalar(q[3]), btScalar(q[0])),
-						vector(dBodyGetPosition(twin))));
-		body.setLinearVelocity(vector(dBodyGetLinearVel(twin)));
-		body.setAngularVelocity(vector(dBodyGetAngularVel(twin)));
+						vector(dBodyGetPosition(odeBody))));
+		body.setLinearVelocity(vector(dBodyGetLinearVel(odeBody)));
+		body.setAngularVelocity(vector(dBodyGetAngularVel(odeBody)));
 	}
 
 	std::unique_ptr<dxWorld, DestroyWorld> m_world;
@@ -164,9 +166,9 @@ std::vector<Setting> odeSettings(const std::string& problem, int rate, int subst
 	const auto add = [&](OdeSolver solver, OdeJoints joints, int iterations)
 	{
 		Setting setting = {Method(Solver::Direct, kinds::None, iterations),
-						   joints == OdeJoints::Fixed ? "ode-fixed" : "ode-soft"};
+						   joints == OdeJoints::Fixed ? Scheme::OdeFixed : Scheme::OdeSoft};
 		setting.method.engine = makeOde(solver, joints);
-		setting.engine = solver == OdeSolver::Step ? "ode-step" : "ode-quickstep";
+		setting.engine = solver == OdeSolver::Step ? ReportSolver::OdeStep : ReportSolver::OdeQuickStep;
 		settings.push_back(setting);
 	};
 	for (const OdeJoints joints : {OdeJoints::Fixed, OdeJoints::Soft})

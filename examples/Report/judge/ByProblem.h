@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "collect/Records.h"
+#include "collect/Record.h"
 
 namespace ep
 {
@@ -24,7 +24,6 @@ struct ByProblem
 	/// They point into the records.
 	explicit ByProblem(const std::vector<Record>& all);
 };
-
 }  // namespace ep
 
 #endif  // EP_REPORT_BY_PROBLEM_H

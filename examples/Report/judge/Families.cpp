@@ -3,37 +3,40 @@
 
 #include "judge/Families.h"
 
-#include <set>
-
 namespace ep
 {
-const std::vector<Family>& families()
+const std::vector<Named<Family>>& families()
 {
-	static const std::vector<Family> all = {{"profile", "our joints, our solver, profile"},
-											{"direct", "our joints, our solver, direct"},
-											{"iterative", "our joints, our solver, iterative"},
-											{"stock", "our joints, Bullet's solver"},
-											{"nncg", "our joints, Bullet's NNCG"},
-											{"mlcp", "our joints, Bullet's MLCP"},
-											{"paper", "the paper's scheme"},
-											{"bullet-fixed", "Bullet's fixed joint"},
-											{"bullet-spring2", "Bullet's 6-dof spring 2"},
-											{"ode-fixed ode-step", "ODE's fixed joint, direct"},
-											{"ode-fixed ode-quickstep", "ODE's fixed joint, QuickStep"},
-											{"ode-soft ode-step", "ODE's springs, direct"},
-											{"ode-soft ode-quickstep", "ODE's springs, QuickStep"}};
+	static const std::vector<Named<Family>> all = {
+		{"our joints, our solver, profile", {Scheme::Profile}},
+		{"our joints, our solver, direct", {Scheme::Default, ReportSolver::Direct}},
+		{"our joints, our solver, iterative", {Scheme::Default, ReportSolver::Iterative}},
+		{"our joints, Bullet's solver", {Scheme::Default, ReportSolver::Stock}},
+		{"our joints, Bullet's NNCG", {Scheme::Default, ReportSolver::Nncg}},
+		{"our joints, Bullet's MLCP", {Scheme::Default, ReportSolver::Mlcp}},
+		{"the paper's scheme", {Scheme::Paper}},
+		{"Bullet's fixed joint", {Scheme::BulletFixed}},
+		{"Bullet's 6-dof spring 2", {Scheme::BulletSpring2}},
+		{"ODE's fixed joint, direct", {Scheme::OdeFixed, ReportSolver::OdeStep}},
+		{"ODE's fixed joint, QuickStep", {Scheme::OdeFixed, ReportSolver::OdeQuickStep}},
+		{"ODE's springs, direct", {Scheme::OdeSoft, ReportSolver::OdeStep}},
+		{"ODE's springs, QuickStep", {Scheme::OdeSoft, ReportSolver::OdeQuickStep}}};
 	return all;
 }
 
-std::vector<Family> familiesOf(const ByProblem& problems)
+std::vector<Named<Family>> familiesOf(const ByProblem& problems)
 {
-	std::set<std::string> present;
-	for (const auto& problem : problems.records)
-		for (const Record* r : problem.second)
-			present.insert(r->family());
-	std::vector<Family> some;
-	for (const Family& family : families())
-		if (present.count(family.key))
+	const auto isIn = [&problems](const Family& family)
+	{
+		for (const auto& problem : problems.records)
+			for (const Record* r : problem.second)
+				if (r->family() == family)
+					return true;
+		return false;
+	};
+	std::vector<Named<Family>> some;
+	for (const Named<Family>& family : families())
+		if (isIn(family.value))
 			some.push_back(family);
 	return some;
 }

@@ -4,25 +4,17 @@
 #ifndef EP_REPORT_FAMILIES_H
 #define EP_REPORT_FAMILIES_H
 
-#include <string>
 #include <vector>
 
 #include "judge/ByProblem.h"
 
 namespace ep
 {
-/// What is compared, as readers know it.
-struct Family
-{
-	const char* key;  ///< Record::family()
-	const char* name;
-};
-
-/// All of them.
-const std::vector<Family>& families();
+/// All that are compared, as readers know them.
+const std::vector<Named<Family>>& families();
 
 /// Those that there are records of.
-std::vector<Family> familiesOf(const ByProblem& problems);
+std::vector<Named<Family>> familiesOf(const ByProblem& problems);
 }  // namespace ep
 
 #endif  // EP_REPORT_FAMILIES_H

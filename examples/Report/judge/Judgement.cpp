@@ -57,13 +57,14 @@ const Record* quickestReliable(const std::vector<const Record*>& records, double
 	return quickestWithin(reliable, error);
 }
 
-double orderOf(const std::vector<const Record*>& records, const std::string& family)
+double orderOf(const std::vector<const Record*>& records, const Family& family)
 {
 	double n = 0, x = 0, y = 0, xx = 0, xy = 0;
 	for (const Record* r : records)
 	{
 		if (r->family() != family || r->budget > 0 || r->substeps != 1 || r->iterations != 10 ||
-			r->jointClass == "spring" || r->precision != "double" || !(r->error > 1e-12) || r->error > 0.5)
+			r->jointClass == JointClass::Spring || r->precision != Precision::Double || !(r->error > 1e-12) ||
+			r->error > 0.5)
 			continue;
 		const double u = std::log(r->dt), v = std::log(r->error);
 		n += 1;

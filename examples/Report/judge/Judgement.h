@@ -4,10 +4,9 @@
 #ifndef EP_REPORT_JUDGEMENT_H
 #define EP_REPORT_JUDGEMENT_H
 
-#include <string>
 #include <vector>
 
-#include "collect/Records.h"
+#include "collect/Record.h"
 
 namespace ep
 {
@@ -23,7 +22,7 @@ const Record* quickestReliable(const std::vector<const Record*>& records, double
 
 /// Order of convergence of one family with all else as in Bullet's defaults: the slope of log error over log step, by least
 /// squares over the steps at which the error is neither 0 nor above 1/2. Not a number if there are less than three.
-double orderOf(const std::vector<const Record*>& records, const std::string& family);
+double orderOf(const std::vector<const Record*>& records, const Family& family);
 }  // namespace ep
 
 #endif  // EP_REPORT_JUDGEMENT_H

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "judge/Families.h"
-#include "collect/Grid.h"
+#include "page/Grid.h"
 #include "judge/Judgement.h"
 #include "plot/Plot.h"
 
@@ -17,8 +17,8 @@ Selection comparedOf(const Selection& records)
 {
 	Selection compared;
 	for (const Record* r : records)
-		for (const Family& family : families())
-			if (r->family() == family.key)
+		for (const Named<Family>& family : families())
+			if (r->family() == family.value)
 				compared.push_back(r);
 	return compared;
 }
@@ -31,11 +31,11 @@ std::string problemPicture(const std::string& name, const Selection& records)
 	plot.m_yLabel = "relative error";
 	plot.m_logX = plot.m_logY = true;
 	int color = 0;
-	for (const Family& family : families())
+	for (const Named<Family>& family : families())
 	{
 		Plot::Curve curve{family.name, {}, Plot::MARKS, color++, {}};
 		for (const Record* r : records)
-			if (r->family() == family.key && std::isfinite(r->error))
+			if (r->family() == family.value && std::isfinite(r->error))
 			{
 				// Below what a picture can tell, and above what is of any use, all are the same.
 				curve.m_points.emplace_back(r->cost(), std::min(std::max(r->error, 1e-6), 1e2));
@@ -50,5 +50,4 @@ std::string problemPicture(const std::string& name, const Selection& records)
 	plot.m_curves.push_back(front);
 	return plot.svg();
 }
-
 }  // namespace ep

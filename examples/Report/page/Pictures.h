@@ -15,7 +15,6 @@ Selection comparedOf(const Selection& records);
 
 /// Error over run time of what is compared.
 std::string problemPicture(const std::string& name, const Selection& records);
-
 }  // namespace ep
 
 #endif  // EP_REPORT_PICTURES_H

@@ -13,26 +13,39 @@ namespace ep
 {
 namespace
 {
+const Scheme WITHOUT[] = {Scheme::WithoutElasticity,
+						  Scheme::WithoutShear,
+						  Scheme::WithoutTorsion,
+						  Scheme::WithoutContactCoupling,
+						  Scheme::WithoutContinuousCollision,
+						  Scheme::WithoutDirectSolve};
+
+bool isStudyOfParts(Scheme scheme)
+{
+	return scheme == Scheme::Everything ||
+		   std::find(std::begin(WITHOUT), std::end(WITHOUT), scheme) != std::end(WITHOUT);
+}
+
 bool isGamesStep(const Record& r) { return std::lround(1 / r.dt) == 60; }
 
 Grid::Cell cellOf(double error) { return {std::isnan(error) ? "" : percent(error), error}; }
 
 /// The error of the one record that stands for a family at 1/60 s; not a number if there is none.
-double errorAtGamesStep(const Selection& records, const std::string& family)
+double errorAtGamesStep(const Selection& records, const Family& family)
 {
 	for (const Record* r : records)
 		if (r->family() == family && r->substeps == 1 && isGamesStep(*r) && r->iterations == 10 &&
-			(r->isOutside() || (r->jointClass == "spring2" && r->precision == "float")) &&
+			(r->isOutside() || (r->jointClass == JointClass::Spring2 && r->precision == Precision::Float)) &&
 			(r->budget == 0 || r->budget == 0.01))
 			return r->error;
 	return NAN;
 }
 
 /// In double.
-const Record* findScheme(const Selection& records, const std::string& scheme, double budget = 0)
+const Record* findScheme(const Selection& records, Scheme scheme, double budget = 0)
 {
 	for (const Record* r : records)
-		if (r->scheme == scheme && r->precision == "double" && r->budget == budget)
+		if (r->scheme == scheme && r->precision == Precision::Double && r->budget == budget)
 			return r;
 	return nullptr;
 }
@@ -46,14 +59,14 @@ Grid overviewOf(const ByProblem& problems)
 		"In float; iterative solvers with 10 iterations; only the profile, for 1 %, takes substeps. Green keeps to 1 "
 		"%, dark "
 		"green to 0.1 %, yellow to 10 %.";
-	const std::vector<Family> compared = familiesOf(problems);
-	for (const Family& family : compared)
+	const std::vector<Named<Family>> compared = familiesOf(problems);
+	for (const Named<Family>& family : compared)
 		grid.columns.push_back(family.name);
 	for (const std::string& name : problems.names)
 	{
 		grid.rows.push_back({name, {}});
-		for (const Family& family : compared)
-			grid.rows.back().cells.push_back(cellOf(errorAtGamesStep(problems.records.at(name), family.key)));
+		for (const Named<Family>& family : compared)
+			grid.rows.back().cells.push_back(cellOf(errorAtGamesStep(problems.records.at(name), family.value)));
 	}
 	return grid;
 }
@@ -94,21 +107,21 @@ Grid profileOf(const ByProblem& problems)
 		const Selection& records = problems.records.at(name);
 		Selection rivals;
 		for (const Record* r : records)
-			if (isGamesStep(*r) && !r->isOutside() && r->budget == 0 && r->scheme.rfind("with", 0) != 0 &&
-				r->scheme != "everything" && r->precision == "double")
+			if (isGamesStep(*r) && !r->isOutside() && r->budget == 0 && !isStudyOfParts(r->scheme) &&
+				r->precision == Precision::Double)
 				rivals.push_back(r);
 		grid.rows.push_back({name, {}});
 		for (const double budget : budgets)
 		{
-			const Record* const mine = findScheme(records, "profile", budget);
+			const Record* const mine = findScheme(records, Scheme::Profile, budget);
 			const Record* const best = quickestReliable(rivals, budget);
 			const Record* const luckiest = quickestWithin(rivals, budget);
 			grid.rows.back().cells.push_back(
 				{mine ? profileText(*mine, best, luckiest) : "", mine ? mine->error : NAN});
 			char text[96] = "none";
 			if (best)
-				snprintf(text, sizeof text, "%s, %s, %d substeps", percent(best->error).c_str(), best->family().c_str(),
-						 best->substeps);
+				snprintf(text, sizeof text, "%s, %s, %d substeps", percent(best->error).c_str(),
+						 nameOf(best->family()).c_str(), best->substeps);
 			grid.rows.back().cells.push_back({text});
 		}
 	}
@@ -117,8 +130,6 @@ Grid profileOf(const ByProblem& problems)
 
 Grid partsOf(const ByProblem& problems)
 {
-	const char* const schemes[] = {"without elasticity",       "without shear rows",           "without torsion rows",
-								   "without contact coupling", "without continuous collision", "without direct solve"};
 	Grid grid;
 	grid.title = "What a scene can leave out: error, and time over that with everything";
 	grid.what =
@@ -126,21 +137,23 @@ Grid partsOf(const ByProblem& problems)
 		"% of a "
 		"step's instructions (callgrind, 100 joints), so there is no switch for them.";
 	grid.columns = {"everything"};
-	grid.columns.insert(grid.columns.end(), std::begin(schemes), std::end(schemes));
+	for (const Scheme scheme : WITHOUT)
+		grid.columns.push_back(nameOf(schemes(), scheme));
 	grid.columns.push_back("without substeps");
 	for (const std::string& name : problems.names)
 	{
 		const Selection& records = problems.records.at(name);
-		const Record* const whole = findScheme(records, "everything");
+		const Record* const whole = findScheme(records, Scheme::Everything);
 		if (!whole)
 			continue;
 		Selection others;
-		for (const char* scheme : schemes)
+		for (const Scheme scheme : WITHOUT)
 			others.push_back(findScheme(records, scheme));
 		const Record* coarse = nullptr;
 		for (const Record* r : records)
-			if (isGamesStep(*r) && r->substeps == 1 && r->scheme == "default" && r->solver == "direct" &&
-				r->precision == "double" && r->jointClass == "spring2")
+			if (isGamesStep(*r) && r->substeps == 1 && r->scheme == Scheme::Default &&
+				r->solver == ReportSolver::Direct && r->precision == Precision::Double &&
+				r->jointClass == JointClass::Spring2)
 				coarse = r;
 		others.push_back(coarse);
 		grid.rows.push_back({name, {cellOf(whole->error)}});

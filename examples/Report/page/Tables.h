@@ -5,7 +5,7 @@
 #define EP_REPORT_TABLES_H
 
 #include "judge/ByProblem.h"
-#include "collect/Grid.h"
+#include "page/Grid.h"
 
 namespace ep
 {

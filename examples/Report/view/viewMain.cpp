@@ -1,44 +1,104 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// ep-view: a reference problem in a window.
+// ep-view: a reference problem or a trial of stability in a window.
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "view/ProblemScene.h"
+#include "cli/NamedOption.h"
+#include "cli/OptionRange.h"
+#include "cli/WindowOptions.h"
+#include "problems/Catalogue.h"
+#include "text/Format.h"
+#include "trials/Catalogue.h"
+#include "view/ReplayScene.h"
 #include "viewer/Viewer.h"
+
+namespace
+{
+struct Options
+{
+	explicit Options(CLI::App& app)
+	{
+		const auto rate = [this](int perSecond) { stepping.step = 1. / perSecond; };
+		app.add_option("name", name, "Of a problem, or of a trial: group/name");
+		app.add_flag("--list", list, "Name problems and trials, and end");
+		addNamedOption(app, "--solver", solver, "How it is solved", ep::solvers());
+		addNamedOption(app, "--joint", joints, "What holds bodies together", ep::jointKinds());
+		app.add_option_function<int>("--rate", rate, "Steps per second of a problem; a trial has steps of its own")
+			->check(ep::optionRange<int>(1, 1000000))
+			->default_str("60");
+		app.add_option("--substeps", stepping.substeps, "Of each step")
+			->check(ep::optionRange<int>(1, 10000))
+			->capture_default_str();
+		app.add_option("--error", stepping.error, "Substeps as this error asks for, 0.01 is 1 %; 0: as given")
+			->check(ep::optionRange(0, 1))
+			->capture_default_str();
+		window.camera = ep::WindowCamera::Side;
+		ep::addWindowOptions(app, window);
+	}
+
+	std::string name;
+	bool list = false;
+	ep::Solver solver = ep::Solver::Direct;
+	ep::JointKind joints = ep::kinds::Ep2;
+	ep::Stepping stepping;
+	ep::WindowOptions window;
+};
+
+std::string list()
+{
+	std::string text = "problems\n";
+	for (const ep::Problem& problem : ep::problems())
+		text += std::string("  ") + problem.name + ": " + problem.what + "\n";
+	text += "trials\n";
+	for (const ep::Trial& trial : ep::stabilityTrials())
+		text += "  " + trial.fullName() + "\n";
+	return text;
+}
+
+std::string solve(const ep::Problem& problem, const ep::Method& method, ep::Stepping stepping, const ep::Watch& watch)
+{
+	stepping.watch = watch;
+	const ep::Outcome outcome = problem.solve(method, stepping);
+	const ep::Quantity& quantity = outcome.quantities.front();
+	return ep::format("%s: %.6g, exact %.6g", quantity.name.c_str(), quantity.value, quantity.exact);
+}
+
+std::string tryOut(const ep::Trial& trial, const ep::Method& method, const ep::Watch& watch)
+{
+	const ep::Verdict verdict = trial.run(method, watch);
+	return verdict.isGreen() ? "all is well" : verdict.complaint();
+}
+
+ep::ReplayScene sceneOf(const Options& o)
+{
+	const ep::Method method(o.solver, o.joints, 10);
+	if (const ep::Problem* const problem = ep::findProblem(o.name))
+		return {std::string(problem->name) + ": " + problem->what,
+				[&](const ep::Watch& watch) { return solve(*problem, method, o.stepping, watch); }};
+	if (const ep::Trial* const trial = ep::findTrial(o.name))
+		return {trial->fullName(), [&](const ep::Watch& watch) { return tryOut(*trial, method, watch); }};
+	throw std::runtime_error("there is no problem or trial '" + o.name + "'; --list names them");
+}
+}  // namespace
 
 int main(int argc, char** argv)
 {
-	std::vector<std::string> names;
-	for (const ep::Problem& problem : ep::problems())
-		names.push_back(problem.name);
-	std::string problem, solver = "direct";
-	int rate = 60;
-	ep::Stepping stepping;
-	ep::ViewerOptions viewer;
-	viewer.camera = "side";
-	CLI::App app("A reference problem in a window: solved first, then played again and again");
-	app.add_option("problem", problem, "Name of the problem")->required()->check(CLI::IsMember(names));
-	app.add_option("--solver", solver, "How it is solved")
-		->check(CLI::IsMember(namesOf(ep::solvers())))
-		->capture_default_str();
-	app.add_option("--rate", rate, "Steps per second")->check(CLI::Range(1, 1000000))->capture_default_str();
-	app.add_option("--substeps", stepping.substeps, "Of each step")->check(CLI::Range(1, 10000))->capture_default_str();
-	app.add_option("--error", stepping.error, "Substeps as this error asks for, 0.01 is 1 %; 0: as given")
-		->check(CLI::Range(0., 1.))
-		->capture_default_str();
-	app.add_option("--screenshot", viewer.screenshot, "A PNG to save, and then end");
-	app.add_option("--after", viewer.screenshotTime, "Time to play before the screenshot [s]")
-		->check(CLI::Range(0., 1000.))
-		->capture_default_str();
+	CLI::App app(
+		"A reference problem or a trial of stability in a window: computed first, then played again and again");
+	Options options(app);
 	CLI11_PARSE(app, argc, argv);
-	stepping.step = 1. / rate;
 	try
 	{
-		ep::ProblemScene scene(*ep::findProblem(problem), *findNamed(ep::solvers(), solver), stepping);
-		ep::runViewer(scene, viewer);
+		if (options.list)
+		{
+			std::cout << list();
+			return 0;
+		}
+		ep::ReplayScene scene = sceneOf(options);
+		ep::runViewer(scene, options.window);
 	}
 	catch (const std::exception& error)
 	{

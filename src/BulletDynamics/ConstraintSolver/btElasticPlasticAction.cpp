@@ -16,6 +16,11 @@ void btElasticPlasticListener::onRefused(btElasticPlasticJoint&, const char* tex
 	fprintf(stderr, "Bullet Elastic-Plastic refused %s\n", text);
 }
 
+void btElasticPlasticListener::onBadStep(btScalar, const char* text)
+{
+	fprintf(stderr, "Bullet Elastic-Plastic: %s\n", text);
+}
+
 btElasticPlasticAction::btElasticPlasticAction(btElasticPlasticOwnPrecision)
 	: m_registry(new btElasticPlastic::JointRegistry)
 {
@@ -49,6 +54,8 @@ void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar time
 
 void btElasticPlasticAction::debugDraw(btIDebugDraw* drawer)
 {
-	for (int i = 0; i < getNumJoints(); ++i)
-		btElasticPlasticDrawJoint(*drawer, *getJoint(i));
+	btAlignedObjectArray<btElasticPlastic::JointWorks*> joints;
+	m_registry->findDrawable(joints);
+	for (int i = 0; i < joints.size(); ++i)
+		btElasticPlasticDrawJoint(*drawer, joints[i]->m_joint);
 }

@@ -42,7 +42,7 @@ public:
 	void removeBody(btDynamicsWorld& world, btRigidBody& body);
 
 	/// Puts a broken joint back into its world as new: no force, no plastic deformation, no damage, at the bodies' present pose.
-	/// \return false if the joint is not broken or not known here.
+	/// \return false if the joint is not broken or not known here, or a body of it that moves is in no world.
 	bool repair(btElasticPlasticJoint* joint);
 
 	int getNumJoints();

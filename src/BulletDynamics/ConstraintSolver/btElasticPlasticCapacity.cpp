@@ -14,7 +14,11 @@ btElasticPlasticCapacity::btElasticPlasticCapacity(btElasticPlasticOwnPrecision)
 
 void btElasticPlasticCapacity::set(int dof, btScalar stiffness, btScalar yield, btScalar ductility)
 {
-	btAssert(dof >= 0 && dof < BT_EP_DOF_COUNT);
+	if (!btElasticPlasticIsDof(dof))
+	{
+		m_fault = btElasticPlasticFault("degree of freedom", btScalar(dof), "0 to 5, see btElasticPlasticDof");
+		return;
+	}
 	m_stiffness[dof] = stiffness;
 	m_yield[dof] = yield;
 	m_ductility[dof] = ductility;
@@ -24,7 +28,8 @@ void btElasticPlasticCapacity::set(int dof, btScalar stiffness, btScalar yield, 
 void btElasticPlasticCapacity::setRigidPlastic(int dof, btScalar yield, btScalar ductility)
 {
 	set(dof, 0, yield, ductility);
-	m_rigidPlastic |= 1u << dof;
+	if (btElasticPlasticIsDof(dof))
+		m_rigidPlastic |= 1u << dof;
 }
 
 void btElasticPlasticCapacity::clear(int dof) { set(dof, 0, 0, unlimited()); }
@@ -51,10 +56,10 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckPositive(linear ? "ductility [m]" : "ductility [rad]", m_ductility[i], i))
 			return f;
-		if (isElasticPlastic(i) && !isRigidPlastic(i) && !(m_stiffness[i] > 0))
+		if (isElasticPlastic(i) && !isRigidPlastic(i) && !(m_stiffness[i] >= leastStiffness()))
 			return btElasticPlasticFault(
 				linear ? "stiffness [N/m]" : "stiffness [N m/rad]", m_stiffness[i],
-				"greater than 0 where there is a yield value (or rigid-plastic, by setRigidPlastic)", i);
+				"at least 1e-20 where there is a yield value (or rigid-plastic, by setRigidPlastic)", i);
 	}
 	return btElasticPlasticFault();
 }

@@ -16,6 +16,9 @@ struct btElasticPlasticCapacity
 	/// Stands for "never": a yield value that leaves a degree of freedom elastic, a ductility that never breaks.
 	static btScalar unlimited() { return btScalar(BT_LARGE_FLOAT); }
 
+	/// A spring that is softer has a compliance over a step that is no number any more [N/m], [N m/rad].
+	static btScalar leastStiffness() { return btScalar(1e-20); }
+
 	btScalar m_stiffness
 		[BT_EP_DOF_COUNT];  ///< [N/m], [N m/rad], finite, >= 0; a steel bar of 1 cm^2 and 1 m has 2e7 N/m. Of a rigid-plastic degree of freedom: not used
 	btScalar m_yield[BT_EP_DOF_COUNT];      ///< force or moment at which it flows [N], [N m], finite, >= 0
@@ -27,7 +30,8 @@ struct btElasticPlasticCapacity
 	btElasticPlasticCapacity(btElasticPlasticOwnPrecision = {});
 
 	/// Elastic-plastic in one degree of freedom, by hand.
-	/// stiffness > 0, yield > 0 (or unlimited()), ductility > 0 (or unlimited()).
+	/// stiffness >= leastStiffness(), yield > 0 (or unlimited()), ductility > 0 (or unlimited()). With a degree of freedom outside
+	/// of 0 to 5, here and below, the capacity is refused by setCapacity().
 	void set(int dof, btScalar stiffness, btScalar yield, btScalar ductility = unlimited());
 
 	/// Rigid-plastic in one degree of freedom: no spring, it holds up to yield and then flows.
@@ -40,7 +44,8 @@ struct btElasticPlasticCapacity
 	/// freedom out, the joint no longer holds anything.
 	void scaleYield(btScalar factor);
 
-	bool isElasticPlastic(int dof) const { return m_yield[dof] > 0; }
+	/// False for what is no degree of freedom.
+	bool isElasticPlastic(int dof) const { return btElasticPlasticIsDof(dof) && m_yield[dof] > 0; }
 	bool isRigidPlastic(int dof) const { return isElasticPlastic(dof) && (m_rigidPlastic >> dof & 1u); }
 
 	/// First value that is out of its range; yield without stiffness is one, unless rigid-plastic.

@@ -16,6 +16,8 @@ enum btElasticPlasticDof
 	BT_EP_DOF_COUNT
 };
 
+inline bool btElasticPlasticIsDof(int dof) { return dof >= 0 && dof < BT_EP_DOF_COUNT; }
+
 /// "axial", "shear y", ... "bending z"; "?" outside of 0 to 5.
 const char* btElasticPlasticDofName(int dof);
 

@@ -34,8 +34,8 @@ struct alignas(16) btElasticPlasticEvent
 };
 
 /// Derive from it to hear of events; give it to btElasticPlasticAction::setListener.
-/// All methods are called at the end of the action's update, when the substep's bookkeeping is done: joints, bodies and
-/// constraints may be added, removed and deleted there, but not actions.
+/// All methods are called at the end of the action's update, when the substep's bookkeeping is done: joints, bodies,
+/// constraints and the action may be added, removed and deleted there.
 class btElasticPlasticListener
 {
 public:
@@ -48,6 +48,10 @@ public:
 	/// bodies and joints as they are here.
 	/// The default prints the text to the standard error output. So it is without a listener, and for joints that no action knows.
 	virtual void onRefused(btElasticPlasticJoint& joint, const char* text);
+
+	/// The world was stepped by a time that is not finite or not above 0, told once by each action; joints do nothing in such a
+	/// step. The default prints the text to the standard error output.
+	virtual void onBadStep(btScalar timeStep, const char* text);
 };
 
 #endif  // BT_ELASTIC_PLASTIC_EVENT_H

@@ -35,6 +35,8 @@ btElasticPlasticJoint* btElasticPlasticJoint::from(btTypedConstraint* constraint
 bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity)
 {
 	btElasticPlastic::JointModel& model = m_works->m_model;
+	// A capacity that was refused has never held.
+	const btElasticPlasticCapacity former = model.m_fault ? capacity : model.m_capacity;
 	model.m_capacity = capacity;
 	m_works->setFault(model.findFault());
 	if (model.m_fault)
@@ -49,7 +51,7 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 			releaseBase(i);
 	if (!isBaseActive())
 		m_works->m_model.m_constraint.setDbgDrawSize(0);
-	model.takeCapacity();
+	model.takeCapacity(former);
 	return true;
 }
 
@@ -73,12 +75,15 @@ void btElasticPlasticJoint::setReferenceToCurrentPose()
 	m_works->m_step.revert();
 }
 
-void btElasticPlasticJoint::setState(const btElasticPlasticState& state)
+bool btElasticPlasticJoint::setState(const btElasticPlasticState& state)
 {
+	if (!m_works->m_model.accepts(state))
+		return false;
 	btElasticPlasticState& own = m_works->m_model.m_state;
 	const bool broken = own.m_broken;
 	own = state;
 	own.m_broken = broken;
+	return true;
 }
 
 // ---- readings
@@ -95,15 +100,33 @@ btVector3 btElasticPlasticJoint::getPosition() const { return (getFrameA().getOr
 
 const btVector3& btElasticPlasticJoint::getJointAxis(int dof) const
 {
-	return m_works->m_step.getKinematics().m_axis[dof % 3];
+	return m_works->m_step.getKinematics().m_axis[btElasticPlasticIsDof(dof) ? dof % 3 : 0];
 }
 
-btScalar btElasticPlasticJoint::getForce(int dof) const { return getState().m_force[dof]; }
-btScalar btElasticPlasticJoint::getAppliedForce(int dof) const { return getState().m_applied[dof]; }
-btScalar btElasticPlasticJoint::getElasticDeformation(int dof) const { return m_works->m_model.elasticDeformation(dof); }
-btScalar btElasticPlasticJoint::getPlasticDeformation(int dof) const { return getState().m_plastic[dof]; }
-btScalar btElasticPlasticJoint::getPlasticPath(int dof) const { return getState().m_plasticPath[dof]; }
-btScalar btElasticPlasticJoint::getDamage(int dof) const { return m_works->m_model.damage(dof); }
+namespace
+{
+/// Of what is no degree of freedom there is nothing.
+btScalar read(const btScalar values[BT_EP_DOF_COUNT], int dof)
+{
+	return btElasticPlasticIsDof(dof) ? values[dof] : btScalar(0);
+}
+}  // namespace
+
+btScalar btElasticPlasticJoint::getForce(int dof) const { return read(getState().m_force, dof); }
+btScalar btElasticPlasticJoint::getAppliedForce(int dof) const { return read(getState().m_applied, dof); }
+btScalar btElasticPlasticJoint::getPlasticDeformation(int dof) const { return read(getState().m_plastic, dof); }
+btScalar btElasticPlasticJoint::getPlasticPath(int dof) const { return read(getState().m_plasticPath, dof); }
+
+btScalar btElasticPlasticJoint::getElasticDeformation(int dof) const
+{
+	return btElasticPlasticIsDof(dof) ? m_works->m_model.elasticDeformation(dof) : btScalar(0);
+}
+
+btScalar btElasticPlasticJoint::getDamage(int dof) const
+{
+	return btElasticPlasticIsDof(dof) ? m_works->m_model.damage(dof) : btScalar(0);
+}
+
 btScalar btElasticPlasticJoint::getDamage() const { return m_works->m_model.damage(); }
 
 btScalar btElasticPlasticJoint::getUtilisation(int dof) const
@@ -138,10 +161,7 @@ double btElasticPlasticJoint::getElasticEnergy() const
 double btElasticPlasticJoint::getPlasticEnergy() const { return getState().m_plasticEnergy; }
 double btElasticPlasticJoint::getWork() const { return getState().m_work; }
 
-double btElasticPlasticJoint::getNumericalEnergy() const
-{
-	return getWork() - getPlasticEnergy() - getElasticEnergy();
-}
+double btElasticPlasticJoint::getNumericalEnergy() const { return getWork() - getPlasticEnergy() - getElasticEnergy(); }
 
 int btElasticPlasticJoint::getNumCommittedRows() const { return m_works->m_step.getNumCommittedRows(); }
 
@@ -153,20 +173,13 @@ void btElasticPlasticJoint::getCommittedRow(int r, int& dof, btScalar& rateBefor
 	rateAfter = step.getRateAfter(r);
 }
 
-void btElasticPlasticJoint::printFault(char* text, int capacity) const
-{
-	char what[192];
-	fault().print(what, sizeof what);
-	const btVector3 p = getPosition();
-	snprintf(text, capacity > 0 ? capacity : 0, "joint '%s' (id %d) at (%g, %g, %g): %s", m_name,
-			 getConstraint().getUserConstraintId(), double(p.x()), double(p.y()), double(p.z()), what);
-}
+void btElasticPlasticJoint::printFault(char* text, int capacity) const { m_works->printFault(fault(), text, capacity); }
 
 // ---- for Bullet's class
 
 void btElasticPlasticJoint::buildElasticPlastic() { m_works->buildJacobian(); }
 int btElasticPlasticJoint::countElasticPlasticRows() { return m_works->prepare(); }
-bool btElasticPlasticJoint::hasBaseRows() { return !fault() && !isBroken() && m_works->hasBaseRows(); }
+bool btElasticPlasticJoint::hasBaseRows() { return m_works->hasBaseRows(); }
 
 void btElasticPlasticJoint::writeElasticPlasticRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
 {

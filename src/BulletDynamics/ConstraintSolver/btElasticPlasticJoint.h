@@ -114,7 +114,9 @@ public:
 	const btElasticPlasticState& getState() const;
 	/// Whether the joint is broken stays as it is: to go back to before a break, btElasticPlasticAction::repair the joint
 	/// first, then set the state.
-	void setState(const btElasticPlasticState& state);
+	/// \return false, and the joint stays as it is, if a number in it is not finite, a rotation not of unit length, a force
+	/// beyond the joint's yield value, or a path, an energy or the step negative
+	bool setState(const btElasticPlasticState& state);
 
 	btTypedConstraint& getConstraint();
 	const btTypedConstraint& getConstraint() const;

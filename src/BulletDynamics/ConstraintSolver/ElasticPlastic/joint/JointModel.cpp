@@ -3,6 +3,7 @@
 
 #include "JointModel.h"
 
+#include "BodyGate.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
@@ -22,27 +23,90 @@ RelativeRotation JointModel::relativeRotation() const
 							m_state.m_plasticMiddle);
 }
 
+namespace
+{
+/// A frame's axes may be off by so much, in length and angle; rounding and careless normalisation are less.
+const btScalar FRAME_TOLERANCE = btScalar(1e-3);
+
+bool isFrame(const btTransform& frame)
+{
+	const btMatrix3x3 product = frame.getBasis().transposeTimes(frame.getBasis());
+	for (int i = 0; i < 3; ++i)
+		for (int j = 0; j < 3; ++j)
+			if (!(btFabs(product[i][j] - btScalar(i == j ? 1 : 0)) < FRAME_TOLERANCE))
+				return false;
+	const btVector3& origin = frame.getOrigin();
+	return frame.getBasis().determinant() > 0 && btElasticPlasticIsFinite(origin.x() + origin.y() + origin.z());
+}
+}  // namespace
+
 btElasticPlasticFault JointModel::findFault() const
 {
 	if (const btElasticPlasticFault fault = m_capacity.fault())
 		return fault;
-	const btRigidBody* const bodies[2] = {&bodyA(), &bodyB()};
-	if (bodies[0]->getInvMass() == 0 && bodies[1]->getInvMass() == 0)
+	if (&bodyA() == &bodyB())
+		return btElasticPlasticFault("number of bodies", 1, "2: a body cannot be joined to itself");
+	if (bodyA().getInvMass() == 0 && bodyB().getInvMass() == 0)
 		return btElasticPlasticFault("number of bodies with mass", 0, "1 or 2: two static bodies cannot be joined");
+	if (!isFrame(m_frameInA) || !isFrame(m_frameInB))
+		return btElasticPlasticFault(
+			isFrame(m_frameInA) ? "frame in body B: determinant" : "frame in body A: determinant",
+			(isFrame(m_frameInA) ? m_frameInB : m_frameInA).getBasis().determinant(),
+			"1, of three axes of unit length at right angles, with a finite origin");
+	const btRigidBody* const bodies[2] = {&bodyA(), &bodyB()};
 	for (int i = 3; i < BT_EP_DOF_COUNT; ++i)
-		for (int b = 0; b < 2 && m_capacity.isElasticPlastic(i); ++b)
+		for (const btRigidBody* body : bodies)
 		{
-			const btVector3& inverse = bodies[b]->getInvInertiaDiagLocal();
-			if (bodies[b]->getInvMass() == 0 || (inverse.x() > 0 && inverse.y() > 0 && inverse.z() > 0))
+			const btVector3& inverse = body->getInvInertiaDiagLocal();
+			const bool hasInertia = inverse.x() > 0 && inverse.y() > 0 && inverse.z() > 0;
+			if (!m_capacity.isElasticPlastic(i) || body->getInvMass() == 0 || hasInertia)
 				continue;
 			return btElasticPlasticFault(
-				b == 0 ? "smallest inertia of body A [kg m^2]" : "smallest inertia of body B [kg m^2]", 0,
+				body == bodies[0] ? "smallest inertia of body A [kg m^2]" : "smallest inertia of body B [kg m^2]", 0,
 				"greater than 0 for a body with mass: use btCollisionShape::calculateLocalInertia", i);
 		}
 	return btElasticPlasticFault();
 }
 
-void JointModel::takeCapacity()
+btElasticPlasticFault JointModel::findMissingWorld() const
+{
+	const btElasticPlasticFault fault = btElasticPlastic::findMissingWorld(bodyA(), true);
+	return fault ? fault : btElasticPlastic::findMissingWorld(bodyB(), false);
+}
+
+btElasticPlasticFault JointModel::findStepFault() const
+{
+	const bool isTurned = (m_dofs >> 3) != 0;
+	if (const btElasticPlasticFault fault = findBodyFault(bodyA(), true, isTurned))
+		return fault;
+	return findBodyFault(bodyB(), false, isTurned);
+}
+
+namespace
+{
+bool isRotation(const btQuaternion& q) { return btFabs(q.length2() - 1) < FRAME_TOLERANCE; }
+}  // namespace
+
+bool JointModel::accepts(const btElasticPlasticState& state) const
+{
+	if (!isRotation(state.m_plasticRotation) || !isRotation(state.m_plasticMiddle))
+		return false;
+	double sum = state.m_work;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		sum += double(state.m_plastic[i]) + double(state.m_forceRate[i]) + double(state.m_applied[i]) +
+			   (i < 3 ? double(state.m_initial[i]) : 0.);
+		// A force on the yield value may be rounded to either side of it.
+		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * (1 + 8 * SIMD_EPSILON) : btScalar(0);
+		if (!(btFabs(state.m_force[i]) <= most) || !(state.m_plasticPath[i] >= 0))
+			return false;
+		sum += double(state.m_plasticPath[i]);
+	}
+	return btElasticPlasticIsFinite(sum) && state.m_plasticEnergy >= 0 && state.m_lastStep >= 0 &&
+		   btElasticPlasticIsFinite(state.m_plasticEnergy) && btElasticPlasticIsFinite(double(state.m_lastStep));
+}
+
+void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
 {
 	const unsigned before = m_dofs;
 	m_dofs = 0;
@@ -53,8 +117,12 @@ void JointModel::takeCapacity()
 			m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = 0;
 	if (!m_hasReference)
 		takeRoundingAsReference();
-	else if (m_dofs & ~before)
-		takePoseAsReference(m_dofs & ~before);
+	else
+	{
+		keepForce(former);
+		if (m_dofs & ~before)
+			takePoseAsReference(m_dofs & ~before);
+	}
 	m_hasReference = true;
 }
 
@@ -67,10 +135,33 @@ void JointModel::takePoseAsReference(unsigned dofs)
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (dofs >> i & 1u)
 			away[i] = now.m_strain[i];
+	moveReference(away);
+}
+
+void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
+{
 	for (int i = 0; i < 3; ++i)
-		m_state.m_initial[i] += away[i];
-	if (dofs >> 3)
-		turnReference(away);
+		m_state.m_initial[i] += deformation[i];
+	if (deformation[3] != 0 || deformation[4] != 0 || deformation[5] != 0)
+		turnReference(deformation);
+}
+
+/// A spring that is exchanged for another under load keeps its force: its elastic deformation becomes the new spring's. What it
+/// holds more or less counts as numerical energy.
+void JointModel::keepForce(const btElasticPlasticCapacity& before)
+{
+	btScalar change[BT_EP_DOF_COUNT] = {};
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		const bool isSpring = m_capacity.isElasticPlastic(i) && !m_capacity.isRigidPlastic(i);
+		const bool wasSpring = before.isElasticPlastic(i) && !before.isRigidPlastic(i);
+		if (!isSpring || !wasSpring || m_capacity.m_stiffness[i] == before.m_stiffness[i])
+			continue;
+		const btScalar old = m_state.m_force[i] / before.m_stiffness[i];
+		m_state.m_force[i] = btMax(-m_capacity.m_yield[i], btMin(m_capacity.m_yield[i], m_state.m_force[i]));
+		change[i] = old - m_state.m_force[i] / m_capacity.m_stiffness[i];
+	}
+	moveReference(change);
 }
 
 /// Frames that meet up to the rounding of their coordinates are meant to meet: in float half a micrometre on a metre would
@@ -108,7 +199,8 @@ void JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
 	const RelativeRotation rotation = relativeRotation();
 	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
 							now.m_strain[5] - increment[5]);
-	m_state.m_plasticRotation = (exponential(-quatRotate(rotation.m_middle, elastic)) * rotation.m_relative).normalized();
+	m_state.m_plasticRotation =
+		(exponential(-quatRotate(rotation.m_middle, elastic)) * rotation.m_relative).normalized();
 	m_state.m_plasticMiddle = (rotation.m_middle * exponential(elastic * btScalar(-0.5))).normalized();
 }
 }  // namespace btElasticPlastic

@@ -41,12 +41,22 @@ struct JointModel
 	/// Axes, arms and elastic deformation at the bodies' present transforms.
 	void measure(Kinematics& kinematics) const;
 
-	/// What keeps the joint out of the simulation: a fault of its capacity or its bodies.
+	/// What keeps the joint out of the simulation until it is set anew: a fault of its capacity, its frames or its bodies.
 	btElasticPlasticFault findFault() const;
+
+	/// A body that moves has to be in a world before it can be joined.
+	btElasticPlasticFault findMissingWorld() const;
+
+	/// What keeps it out of the present step: a fault of one of its bodies.
+	btElasticPlasticFault findStepFault() const;
+
+	/// May the joint's state become this one?
+	bool accepts(const btElasticPlasticState& state) const;
 
 	/// Makes the degrees of freedom that the capacity has elastic-plastic, and the pose the reference of those that are so for
 	/// the first time since they were free.
-	void takeCapacity();
+	/// \param former  the capacity before
+	void takeCapacity(const btElasticPlasticCapacity& former);
 
 	/// Makes the bodies' present pose the one without force, keeping plastic deformation as it is counted.
 	void setReferenceToCurrentPose();
@@ -54,6 +64,9 @@ struct JointModel
 	/// Turns the plastic rotation so that the elastic rotation that is measured at the present pose loses the increment.
 	/// \param increment  of all degrees of freedom, of which the rotations are used
 	void turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
+
+	/// Takes deformation out of the elastic one at the present pose, without counting it as plastic [m], [rad].
+	void moveReference(const btScalar deformation[BT_EP_DOF_COUNT]);
 
 	btScalar elasticDeformation(int dof) const
 	{
@@ -74,6 +87,7 @@ private:
 	RelativeRotation relativeRotation() const;
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
+	void keepForce(const btElasticPlasticCapacity& before);
 };
 }  // namespace btElasticPlastic
 

@@ -5,6 +5,7 @@
 
 #include "../../btElasticPlasticJoint.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+#include "LinearMath/btHashMap.h"
 #include "JointWorks.h"
 #include "Prefetch.h"
 
@@ -41,7 +42,12 @@ const int AHEAD = 4;
 JointRegistry::~JointRegistry()
 {
 	for (int i = 0; i < getNumJoints(); ++i)
+	{
+		endSeparation(getJoint(i));
 		getJoint(i).m_entry.m_registry = nullptr;
+	}
+	if (m_isDeleted)
+		*m_isDeleted = true;
 }
 
 // ---- joints
@@ -61,6 +67,10 @@ JointWorks& JointRegistry::getJoint(int index)
 bool JointRegistry::add(JointWorks& joint)
 {
 	joint.setFault(joint.m_model.findFault());
+	if (!joint.m_model.m_fault)
+		joint.setFault(joint.m_model.findMissingWorld());
+	// Bullet's search for islands crashes over a constraint whose body has never been in the world.
+	joint.setOutOfIslands(bool(joint.m_model.findMissingWorld()));
 	joint.forgetUncommitted();
 	joint.m_step.revert();
 	if (joint.m_model.m_fault)
@@ -132,6 +142,11 @@ bool JointRegistry::repair(JointWorks& joint)
 		const Entry entry = m_broken[i];
 		if (entry.m_joint != &joint)
 			continue;
+		// Bodies that are in no world: it is gone, or they have left it.
+		const btRigidBody* const bodies[2] = {&joint.m_model.bodyA(), &joint.m_model.bodyB()};
+		for (const btRigidBody* body : bodies)
+			if (body->getInvMass() > 0 && !body->getBroadphaseHandle())
+				return false;
 		removeIf(m_broken, [&joint](const Entry& e) { return e.m_joint == &joint; });
 		endSeparation(joint);
 		joint.m_model.m_state = btElasticPlasticState();
@@ -146,17 +161,53 @@ bool JointRegistry::repair(JointWorks& joint)
 	return false;
 }
 
+void JointRegistry::findDrawable(btAlignedObjectArray<JointWorks*>& joints)
+{
+	joints.resize(0);
+	btHashMap<btHashPtr, int> inWorld;
+	for (int i = 0; m_world && i < m_world->getNumCollisionObjects(); ++i)
+		inWorld.insert(btHashPtr(m_world->getCollisionObjectArray()[i]), i);
+	const auto isThere = [&](const btRigidBody& body)
+	{ return inWorld.find(btHashPtr(&body)) || &body == &btTypedConstraint::getFixedBody(); };
+	for (int i = 0; i < getNumJoints(); ++i)
+	{
+		const JointModel& model = getJoint(i).m_model;
+		if (!m_world || (isThere(model.bodyA()) && isThere(model.bodyB())))
+			joints.push_back(&getJoint(i));
+	}
+}
+
 // ---- the end of a substep
 
 void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 {
+	if (!isStep(timeStep))
+		return;
 	m_time += timeStep;
+	m_world = &world;
 	closeGaps();
 	const int brokenBefore = m_broken.size();
 	commitJoints();
 	removeBrokenFromWorld(world, brokenBefore);
 	endSeparations();
 	deliver();
+}
+
+/// A step that is not finite or not above 0 does nothing to joints.
+bool JointRegistry::isStep(btScalar timeStep)
+{
+	if (timeStep > 0 && btElasticPlasticIsFinite(timeStep))
+		return true;
+	if (!m_isStepTold)
+	{
+		char text[128];
+		btElasticPlasticFault("time step [s]", timeStep, "finite and greater than 0: joints do nothing in it")
+			.print(text, sizeof text);
+		btElasticPlasticListener printer;
+		(m_listener ? m_listener : &printer)->onBadStep(timeStep, text);
+	}
+	m_isStepTold = true;
+	return false;
 }
 
 void JointRegistry::commitJoints()
@@ -202,7 +253,10 @@ bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 		kept = a.getConstraintRef(i) == &constraint;
 	world.removeConstraint(&constraint);
 	if (kept && joint.m_separation.begin(world, constraint))
+	{
+		m_token.enter(world);
 		++m_numSeparations;
+	}
 	a.activate();
 	b.activate();
 	return kept;
@@ -219,8 +273,9 @@ void JointRegistry::endSeparation(JointWorks& joint)
 {
 	if (!joint.m_separation.isUnderWay())
 		return;
-	joint.m_separation.end(joint.m_model.m_constraint);
-	--m_numSeparations;
+	joint.m_separation.end(m_token.getWorld(), joint.m_model.m_constraint);
+	if (--m_numSeparations == 0)
+		m_token.leave();
 }
 
 // ---- events
@@ -246,10 +301,14 @@ void JointRegistry::report(btElasticPlasticEventType type, const JointWorks& wor
 	event.m_energy = joint.getPlasticEnergy() + joint.getElasticEnergy();
 	event.m_time = m_time;
 	joint.getUtilisation(&event.m_dof);
-	if (type == BT_EP_EVENT_BREAK)
-		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	// Where nothing is applied, what has flowed is the degree of freedom.
+	if (type == BT_EP_EVENT_BREAK || !btElasticPlasticIsDof(event.m_dof))
+	{
+		event.m_dof = 0;
+		for (int i = 1; i < BT_EP_DOF_COUNT; ++i)
 			if (joint.getDamage(i) > joint.getDamage(event.m_dof))
 				event.m_dof = i;
+	}
 	m_events.push_back(event);
 }
 
@@ -265,14 +324,21 @@ bool JointRegistry::popEvent(btElasticPlasticEvent& event)
 	return false;
 }
 
-/// One by one from the queue: a listener may delete joints, which takes their events out of it.
+/// One by one from the queue: a listener may delete joints, which takes their events out of it, and the action itself.
 void JointRegistry::deliver()
 {
+	bool isDeleted = false;
+	bool* const outer = m_isDeleted;
+	m_isDeleted = &isDeleted;
 	btElasticPlasticEvent event;
-	while (m_listener && popEvent(event))
+	while (!isDeleted && m_listener && popEvent(event))
 		if (event.m_type == BT_EP_EVENT_YIELD)
 			m_listener->onYield(event);
 		else
 			m_listener->onBreak(event);
+	if (!isDeleted)
+		m_isDeleted = outer;
+	else if (outer)
+		*outer = true;
 }
 }  // namespace btElasticPlastic

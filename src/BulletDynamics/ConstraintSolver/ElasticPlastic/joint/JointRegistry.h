@@ -8,6 +8,7 @@
 
 #include "../../btElasticPlasticEvent.h"
 #include "LinearMath/btAlignedObjectArray.h"
+#include "WorldToken.h"
 
 class btDynamicsWorld;
 class btRigidBody;
@@ -35,6 +36,10 @@ public:
 	int getNumBroken() const { return m_broken.size(); }
 	JointWorks& getJoint(int index);
 
+	/// Joints whose bodies are in the world: a user may have taken a joint out of it and deleted its bodies. Before the first step,
+	/// all of them. To be called while the world exists.
+	void findDrawable(btAlignedObjectArray<JointWorks*>& joints);
+
 	void setListener(btElasticPlasticListener* listener) { m_listener = listener; }
 	bool popEvent(btElasticPlasticEvent& event);
 	double getTime() const { return m_time; }
@@ -61,6 +66,7 @@ private:
 	void endSeparation(JointWorks& joint);
 	void report(btElasticPlasticEventType type, const JointWorks& joint);
 	void deliver();
+	bool isStep(btScalar timeStep);
 	void closeGaps();
 
 	btAlignedObjectArray<Entry> m_joints;
@@ -68,10 +74,14 @@ private:
 	btAlignedObjectArray<btElasticPlasticEvent> m_events;  ///< read up to m_nextEvent; without a joint: forgotten
 	int m_nextEvent = 0;
 	btElasticPlasticListener* m_listener = nullptr;
-	std::recursive_mutex m_refusal;  ///< the threads of a solver refuse joints too
+	std::recursive_mutex m_refusal;      ///< the threads of a solver refuse joints too
+	btDynamicsWorld* m_world = nullptr;  ///< that was stepped last
 	double m_time = 0;
-	bool m_hasGaps = false;    ///< entries of m_joints without a joint
-	int m_numSeparations = 0;  ///< broken joints whose bodies still overlap
+	bool m_hasGaps = false;       ///< entries of m_joints without a joint
+	int m_numSeparations = 0;     ///< broken joints whose bodies still overlap
+	WorldToken m_token;           ///< in the world while there are any
+	bool* m_isDeleted = nullptr;  ///< set by the destructor while events are delivered
+	bool m_isStepTold = false;    ///< that a step was not finite or not above 0
 };
 }  // namespace btElasticPlastic
 

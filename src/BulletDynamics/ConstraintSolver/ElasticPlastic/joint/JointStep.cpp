@@ -26,27 +26,10 @@ void JointStep::project(const btVector3& linear, const btVector3& angular, btSca
 
 // ---- pose and step -> rows
 
-namespace
-{
-/// A sum of all that Bullet multiplies with any row of the body, no number if one of them is none. A row of the inertia stands
-/// for all of it: it tells whether the body is turned in a way that is no number. The body's place is looked at with the
-/// joint's strain.
-btVector3 sumOfMotion(const btRigidBody& body)
-{
-	return body.getLinearVelocity() + body.getAngularVelocity() + body.getTotalForce() + body.getTotalTorque() +
-		   body.getInvInertiaTensorWorld()[0];
-}
-}  // namespace
-
 int JointStep::prepare()
 {
 	m_numRows = 0;
-	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
-	if (m_model.m_fault || m_model.m_state.m_broken || (A.getInvMass() == 0 && B.getInvMass() == 0))
-		return 0;
-	// A body that something else made NaN, or pushes with NaN, must not take its neighbours with it.
-	const btVector3 motion = sumOfMotion(A) + sumOfMotion(B);
-	if (!btElasticPlasticIsFinite(motion.x() + motion.y() + motion.z()))
+	if (m_model.m_state.m_broken || (m_model.bodyA().getInvMass() == 0 && m_model.bodyB().getInvMass() == 0))
 		return 0;
 	// Angular rows come first, as in Bullet's own classes.
 	for (int dof = 3; dof < BT_EP_DOF_COUNT; ++dof)
@@ -87,7 +70,7 @@ bool JointStep::evaluate(btScalar dt)
 	btScalar sum = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		sum += m_kinematics.m_strain[i];
-	if (!btElasticPlasticIsFinite(sum))
+	if (!btElasticPlasticIsFinite(sum) || !(dt > 0) || !btElasticPlasticIsFinite(dt))
 	{
 		revert();
 		return false;
@@ -104,14 +87,43 @@ bool JointStep::evaluate(btScalar dt)
 	}
 	m_dt = dt;
 	takeBackKinematicMotion();
+	takeBackDrift();
 	return true;
+}
+
+/// The strain that is measured is the law's, force over stiffness, and what the step's straight motion has left beside it: a body
+/// that turns about a joint leaves its circle by r (w dt)^2 / 2 in every step. At an even step the law takes it back with a part of
+/// the force that holds the body on its circle. A shorter step would take the whole of it back in its shorter time, with many times
+/// that force, and a stiff joint would yield at rest. So a step that is shorter by a factor s meets s^2 of it, what it will leave
+/// itself, and the rest is given up: the joint's reference moves by it at the step's end.
+void JointStep::takeBackDrift()
+{
+	const btScalar last = m_model.m_state.m_lastStep;
+	m_hasDrift = m_dt < last && !m_model.m_isPaper;
+	if (!m_hasDrift)
+		return;
+	const btScalar share = m_dt / last;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		m_drift[i] = 0;
+		if (!m_model.isElasticPlastic(i) || m_model.m_capacity.isRigidPlastic(i))
+			continue;
+		m_drift[i] = (m_kinematics.m_strain[i] - m_model.elasticDeformation(i)) * (1 - share * share);
+		m_kinematics.m_strain[i] -= m_drift[i];
+	}
+}
+
+void JointStep::giveUpDrift()
+{
+	if (m_hasDrift)
+		m_model.moveReference(m_drift);
+	m_hasDrift = false;
 }
 
 DofState JointStep::dofState(int dof) const
 {
-	return {m_model.m_capacity.m_stiffness[dof], m_model.m_capacity.m_yield[dof],
-			m_kinematics.m_strain[dof],          m_model.m_state.m_force[dof],
-			m_model.m_state.m_forceRate[dof],    m_model.m_state.m_lastStep};
+	return {m_model.m_capacity.m_stiffness[dof], m_model.m_capacity.m_yield[dof],  m_kinematics.m_strain[dof],
+			m_model.m_state.m_force[dof],        m_model.m_state.m_forceRate[dof], m_model.m_state.m_lastStep};
 }
 
 PaperLaw JointStep::paperLaw(int dof) const
@@ -122,8 +134,8 @@ PaperLaw JointStep::paperLaw(int dof) const
 	if (dof < 3)
 		return {PaperLaw::SPRING, btMax(A.getInvMass(), B.getInvMass())};
 	const btVector3& axis = m_kinematics.m_axis[dof - 3];
-	return {PaperLaw::SPRING, btMax((A.getInvInertiaTensorWorld() * axis).length(),
-									(B.getInvInertiaTensorWorld() * axis).length())};
+	return {PaperLaw::SPRING,
+			btMax((A.getInvInertiaTensorWorld() * axis).length(), (B.getInvInertiaTensorWorld() * axis).length())};
 }
 
 SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForStock)
@@ -138,6 +150,7 @@ SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForSto
 		soft = paperLaw(dof).row(s, m_dt);
 	else
 		soft = ImplicitLaw{isForStock}.row(s, diagonal, m_dt);
+	row.m_isForStock = isForStock;
 	row.m_lower = soft.m_lower;
 	row.m_upper = soft.m_upper;
 	return soft;
@@ -155,8 +168,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 		JointRows::Row& row = rows.m_row[r];
 		row.m_dof = m_row[r].m_dof;
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
-		row.m_diagonal =
-			row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
+		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
 		row.m_soft = makeRow(r, row.m_diagonal, erp, false);
 		row.m_bound = m_lastBound[row.m_dof];
 	}
@@ -185,6 +197,7 @@ ReturnMapping JointStep::returnMap(const Row& row) const
 	outcome.m_trial = s.m_strain - m_dt * row.m_velocity1;
 	outcome.m_bound = m_lastBound[row.m_dof];
 	outcome.m_isBoundKnown = row.m_isBoundKnown;
+	outcome.m_isForStock = row.m_isForStock;
 	if (m_model.m_capacity.isRigidPlastic(row.m_dof))
 		return rigidReturnMap(row.m_impulse, outcome.m_trial, outcome.isAtBound(s.m_yield * m_dt), m_dt);
 	if (m_model.m_isPaper)
@@ -229,6 +242,7 @@ int JointStep::commit()
 		state.m_plasticEnergy += double(m_model.m_capacity.m_yield[i]) * btFabs(double(mapped.m_increment));
 		flowed = true;
 	}
+	giveUpDrift();
 	state.m_lastStep = m_dt;
 	state.m_work -= 0.5 * work;
 	revert();

@@ -35,11 +35,11 @@ public:
 
 	// ---- pose and step -> rows
 
-	/// Chooses the step's rows. \return how many; none if the joint has no part in the step
+	/// Chooses the rows of a joint that may be solved. \return how many; none if it is broken
 	int prepare();
 
 	/// Evaluates the joint at the bodies' present transforms and velocities, for a step of dt [s].
-	/// \return false, and the joint has no part in the step, if they are no numbers
+	/// \return false, and the joint has no part in the step, if its strain is no number or the step not finite and above 0
 	bool evaluate(btScalar dt);
 
 	/// All that a solver needs: evaluate(), and the rows with their own diagonals.
@@ -110,8 +110,11 @@ private:
 		btScalar m_impulse;
 		int m_dof : 8;
 		bool m_isBoundKnown;
+		bool m_isForStock;
 	};
 
+	void takeBackDrift();
+	void giveUpDrift();
 	DofState dofState(int dof) const;
 	PaperLaw paperLaw(int dof) const;
 	ReturnMapping returnMap(const Row& row) const;
@@ -121,6 +124,8 @@ private:
 	int m_numRows = 0;
 	int m_numCommittedRows = 0;
 	btScalar m_dt = 0;
+	bool m_hasDrift = false;
+	btScalar m_drift[BT_EP_DOF_COUNT];  ///< strain that this step takes out of the joint, see takeBackDrift()
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];
 	signed char m_lastBound[BT_EP_DOF_COUNT] = {};

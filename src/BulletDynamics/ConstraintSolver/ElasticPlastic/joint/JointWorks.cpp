@@ -3,6 +3,8 @@
 
 #include "JointWorks.h"
 
+#include <stdio.h>
+
 #include "../../btElasticPlasticEvent.h"
 #include "../../btElasticPlasticJoint.h"
 #include "BulletDynamics/ConstraintSolver/btSolverBody.h"
@@ -54,12 +56,33 @@ void JointWorks::setFault(const btElasticPlasticFault& fault)
 void JointWorks::tellFault(JointRegistry* registry)
 {
 	m_isFaultTold = true;
+	tell(m_model.m_fault, registry);
+}
+
+void JointWorks::printFault(const btElasticPlasticFault& fault, char* text, int capacity) const
+{
+	char what[192];
+	fault.print(what, sizeof what);
+	const btVector3 p = m_joint.getPosition();
+	snprintf(text, size_t(capacity > 0 ? capacity : 0), "joint '%s' (id %d) at (%g, %g, %g): %s", m_joint.getName(),
+			 m_model.m_constraint.getUserConstraintId(), double(p.x()), double(p.y()), double(p.z()), what);
+}
+
+void JointWorks::tell(const btElasticPlasticFault& fault, JointRegistry* registry)
+{
 	char text[320];
-	m_joint.printFault(text, sizeof text);
+	printFault(fault, text, sizeof text);
 	if (registry)
 		registry->refuse(m_joint, text);
 	else
 		btElasticPlasticListener().onRefused(m_joint, text);
+}
+
+void JointWorks::setOutOfIslands(bool isOut)
+{
+	if (isOut != m_isOutOfIslands)
+		m_model.m_constraint.setEnabled(!isOut);
+	m_isOutOfIslands = isOut;
 }
 
 void JointWorks::tellFaultOnce()
@@ -76,11 +99,10 @@ bool JointWorks::needsRegistry() const
 /// Without its commits the joint would be a wrong spring that never yields.
 void JointWorks::refuseWithoutRegistry()
 {
-	setFault(m_entry.m_registry
-				 ? btElasticPlasticFault("number of commits in the last three substeps", 0,
-										 "3: call btDynamicsWorld::addAction")
-				 : btElasticPlasticFault("number of actions that know the joint", 0,
-										 "1: call btElasticPlasticAction::addJoint"));
+	setFault(m_entry.m_registry ? btElasticPlasticFault("number of commits in the last three substeps", 0,
+														"3: call btDynamicsWorld::addAction")
+								: btElasticPlasticFault("number of actions that know the joint", 0,
+														"1: call btElasticPlasticAction::addJoint"));
 }
 
 // ---- the step
@@ -98,11 +120,28 @@ int JointWorks::prepare()
 	m_numUncommitted = m_step.getNumRows() > 0 ? m_numUncommitted + 1 : 0;
 	m_request = m_nextRequest;
 	m_nextRequest = WHOLE_ROWS;
+	m_step.revert();
 	if (needsRegistry())
 		refuseWithoutRegistry();
 	tellFaultOnce();
-	const int rows = m_step.prepare();
+	m_isLeftOut = m_model.m_fault || !passesGate();
+	const int rows = m_isLeftOut ? 0 : m_step.prepare();
 	return m_request == NO_ROWS ? 0 : rows;
+}
+
+/// May the joint take part in the present step? If not, its owner is told, once for as long as it lasts.
+bool JointWorks::passesGate()
+{
+	const btElasticPlasticFault fault = m_model.findStepFault();
+	if (fault && !m_isStepFaultTold)
+		tell(fault, m_entry.m_registry);
+	m_isStepFaultTold = bool(fault);
+	return !fault;
+}
+
+bool JointWorks::hasBaseRows() const
+{
+	return !m_isLeftOut && !m_model.m_state.m_broken && !m_model.isElasticPlasticThroughout() && m_joint.isBaseActive();
 }
 
 void JointWorks::request(Request request)
@@ -111,14 +150,12 @@ void JointWorks::request(Request request)
 	m_feedback.detach(m_model.m_constraint);
 }
 
-bool JointWorks::hasBaseRows() const { return !m_model.isElasticPlasticThroughout() && m_joint.isBaseActive(); }
-
 void JointWorks::requestJacobians() { request(JACOBIANS); }
 
 bool JointWorks::beginAlone()
 {
 	request(NO_ROWS);
-	if (m_separation.isUnderWay() || hasBaseRows())
+	if (m_separation.isUnderWay() || (!m_model.isElasticPlasticThroughout() && m_joint.isBaseActive()))
 		return false;
 	m_model.m_constraint.internalSetAppliedImpulse(0);
 	if (btJointFeedback* feedback = m_model.m_constraint.getJointFeedback())

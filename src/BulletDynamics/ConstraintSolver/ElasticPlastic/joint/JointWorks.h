@@ -51,7 +51,7 @@ public:
 	/// Begins a step. \return number of rows that Bullet is to hold
 	int prepare();
 
-	/// Has Bullet's class rows beside the elastic-plastic ones?
+	/// Has Bullet's class rows beside the elastic-plastic ones in the step that prepare() has begun?
 	bool hasBaseRows() const;
 
 	/// Writes the rows that prepare() counted, beginning at firstRow.
@@ -81,6 +81,9 @@ public:
 	/// Ends the step. \return JointStep::Outcome
 	int commit();
 
+	/// Hides the constraint from Bullet's islands, or shows it again.
+	void setOutOfIslands(bool isOut);
+
 	/// Begins anew with the count of substeps that nobody committed.
 	void forgetUncommitted() { m_numUncommitted = 0; }
 
@@ -90,6 +93,9 @@ public:
 	void tellFault(JointRegistry* registry);
 	/// The same to the joint's own registry, if it has not been told since it was found.
 	void tellFaultOnce();
+
+	/// "joint 'name' (id i) at (x, y, z): quantity is value; it must be range", always terminated.
+	void printFault(const btElasticPlasticFault& fault, char* text, int capacity) const;
 
 	btElasticPlasticJoint& m_joint;
 	JointModel m_model;
@@ -108,6 +114,8 @@ private:
 	};
 
 	void request(Request request);
+	bool passesGate();
+	void tell(const btElasticPlasticFault& fault, JointRegistry* registry);
 	bool needsRegistry() const;
 	void refuseWithoutRegistry();
 
@@ -115,6 +123,9 @@ private:
 	Request m_nextRequest = WHOLE_ROWS;  ///< of the next one
 	int m_numUncommitted = 0;            ///< substeps in a row that nobody committed
 	bool m_isFaultTold = true;
+	bool m_isStepFaultTold = false;  ///< the fault that keeps the joint out of the present steps
+	bool m_isLeftOut = false;        ///< of the present step
+	bool m_isOutOfIslands = false;
 	StockFeedback m_feedback;
 };
 }  // namespace btElasticPlastic

@@ -64,8 +64,7 @@ inline btScalar clampedForce(const DofState& s)
 }
 
 /// Row of the default scheme, for a solver that adds C to the diagonal (btElasticPlasticConstraintSolver).
-inline SoftRow implicitRow(const DofState& s, btScalar diagonal,
-													   btScalar dt)
+inline SoftRow implicitRow(const DofState& s, btScalar diagonal, btScalar dt)
 {
 	const btScalar a = s.m_stiffness * dt * dt * diagonal;
 	// a / (a + 4) written so that a = infinity is no NaN.
@@ -136,9 +135,10 @@ struct RowOutcome
 	btScalar m_impulse;
 	btScalar m_lower;  ///< bounds that the row was given
 	btScalar m_upper;
-	btScalar m_trial;      ///< deformation if the whole step was elastic: e* = e_n - dt J v1
-	signed char m_bound;   ///< -1 at the lower, 1 at the upper bound, 0 between
-	bool m_isBoundKnown;   ///< whether the solver told m_bound: a direct one does
+	btScalar m_trial;     ///< deformation if the whole step was elastic: e* = e_n - dt J v1
+	signed char m_bound;  ///< -1 at the lower, 1 at the upper bound, 0 between
+	bool m_isBoundKnown;  ///< whether the solver told m_bound: a direct one does
+	bool m_isForStock;    ///< the row was for one of Bullet\'s own solvers
 
 	/// Is the impulse at the bound at which it pulls back against the trial deformation? A direct solver knows; an iterative
 	/// one may leave a thousandth of the yield impulse.
@@ -147,6 +147,9 @@ struct RowOutcome
 		if (m_isBoundKnown)
 			return m_trial > 0 ? m_bound > 0 : m_bound < 0;
 		const btScalar slack = btScalar(1e-3) * yieldImpulse;
+		// An explicit row is bounded by the spring's force: being there is yield only if that has reached the yield value.
+		if (m_isForStock && (m_trial > 0 ? m_upper : -m_lower) < yieldImpulse - slack)
+			return false;
 		return m_trial > 0 ? m_impulse >= m_upper - slack : m_impulse <= m_lower + slack;
 	}
 };
@@ -154,8 +157,7 @@ struct RowOutcome
 /// Return mapping of the trial deformation e* = e_n - dt J v1.
 /// atBound: whether the row's impulse sits at its bound in the direction of e*. Without that, a force beyond yield is what the
 /// solver has left unsolved: no plastic flow, only a clamped force.
-inline ReturnMapping returnMap(btScalar stiffness, btScalar yield, btScalar strain,
-														bool atBound)
+inline ReturnMapping returnMap(btScalar stiffness, btScalar yield, btScalar strain, bool atBound)
 {
 	const btScalar trial = stiffness * strain;
 	ReturnMapping r;
@@ -165,8 +167,7 @@ inline ReturnMapping returnMap(btScalar stiffness, btScalar yield, btScalar stra
 }
 
 /// Return mapping of a rigid-plastic degree of freedom: at its bound, all motion in the direction of the force is plastic.
-inline ReturnMapping rigidReturnMap(btScalar impulse, btScalar strain, bool atBound,
-															 btScalar dt)
+inline ReturnMapping rigidReturnMap(btScalar impulse, btScalar strain, bool atBound, btScalar dt)
 {
 	ReturnMapping r;
 	r.m_force = impulse / dt;

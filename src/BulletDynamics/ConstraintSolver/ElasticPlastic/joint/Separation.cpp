@@ -73,11 +73,15 @@ bool Separation::begin(btDynamicsWorld& world, btTypedConstraint& constraint)
 	return true;
 }
 
-void Separation::end(btTypedConstraint& constraint)
+void Separation::end(btDynamicsWorld* world, btTypedConstraint& constraint)
 {
-	if (m_world)
-		m_world->removeConstraint(&constraint);
 	m_world = nullptr;
+	for (int i = world ? world->getNumConstraints() - 1 : -1; i >= 0; --i)
+		if (world->getConstraint(i) == &constraint)
+		{
+			world->removeConstraint(&constraint);
+			return;
+		}
 }
 
 bool Separation::isDone() const { return m_overlap <= SLOP; }

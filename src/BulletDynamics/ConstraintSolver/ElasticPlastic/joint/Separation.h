@@ -26,8 +26,9 @@ public:
 	/// bodies from colliding. \return whether it has begun
 	bool begin(btDynamicsWorld& world, btTypedConstraint& constraint);
 
-	/// Takes the constraint out of the world.
-	void end(btTypedConstraint& constraint);
+	/// Takes the constraint out of the world, if it is still there: a user may have done so, and deleted its bodies.
+	/// \param world  null: gone
+	void end(btDynamicsWorld* world, btTypedConstraint& constraint);
 
 	bool isUnderWay() const { return m_world != nullptr; }
 
@@ -38,7 +39,7 @@ public:
 	void holdOverlap(btTypedConstraint& constraint);
 
 private:
-	btDynamicsWorld* m_world = nullptr;  ///< while it is under way
+	btDynamicsWorld* m_world = nullptr;  ///< while it is under way; may be gone but when the constraint is called
 	btScalar m_overlap = 0;              ///< of the bodies in the last step [m]
 };
 }  // namespace btElasticPlastic

@@ -5,6 +5,7 @@
 
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "../joint/BodyGate.h"
 
 namespace btElasticPlastic
 {
@@ -61,6 +62,24 @@ void copy(double* to, const btVector3& from, const btVector3& factor)
 		to[i] = factor[i] != 0 ? double(from[i]) : 0;
 }
 
+/// A row to a body that is no number is none, either.
+bool isFiniteRow(const SystemInput::SingleRow& row, const SystemInput::Bounded& terms)
+{
+	double sum = terms.m_target + terms.m_compliance;
+	for (const double element : row.m_J)
+		sum += element;
+	return btElasticPlasticIsFinite(sum);
+}
+
+/// A row that asks for nothing.
+void makeIdle(SystemInput::SingleRow& row, SystemInput::Bounded& terms)
+{
+	for (double& element : row.m_J)
+		element = 0;
+	terms.m_target = 0;
+	terms.m_compliance = 1;
+}
+
 bool isFree(const btSolverBody& body)
 {
 	const btVector3 one(1, 1, 1);
@@ -81,7 +100,8 @@ void DirectForm::addBodies(const SolverPools& pools)
 	for (int i = m_index.size(); i < pools.m_bodies.size(); ++i)
 	{
 		const btRigidBody* body = pools.m_bodies[i].m_originalBody;
-		const bool moves = body && body->getInvMass() > 0;
+		// A kinematic body goes where it is put, whatever mass it was left with.
+		const bool moves = body && body->getInvMass() > 0 && !body->isKinematicObject() && isFinite(*body);
 		m_index.push_back(moves ? m_input.getNumBodies() : -1);
 		if (moves)
 			setMass(*body, m_input.addBody());
@@ -111,8 +131,7 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 		const JointRows::Row& from = rows.m_row[r];
 		SystemInput::Bounded& row = m_input.m_rows[entry.m_firstRow + r];
 		const double lower = from.m_soft.m_lower, upper = from.m_soft.m_upper;
-		row.m_target =
-			double(from.m_soft.m_velocity) - double(velocity[from.m_dof / 3].dot(k.m_axis[from.m_dof % 3]));
+		row.m_target = double(from.m_soft.m_velocity) - double(velocity[from.m_dof / 3].dot(k.m_axis[from.m_dof % 3]));
 		row.m_compliance = btMax(double(from.m_soft.m_compliance), HARD * double(from.m_diagonal));
 		row.m_lower = btMax(lower, -most);
 		row.m_upper = btMin(upper, most);
@@ -178,6 +197,8 @@ SystemInput::SingleRow& DirectForm::addRow(const btSolverConstraint& from, const
 	terms.m_compliance = btMax(double(from.m_cfm), HARD) * diagonal;
 	terms.m_lower = from.m_lowerLimit;
 	terms.m_upper = from.m_upperLimit;
+	if (!isFiniteRow(row, terms))
+		makeIdle(row, terms);
 	return row;
 }
 
@@ -232,8 +253,7 @@ void DirectForm::addFriction(const btConstraintArray& rows, int firstContact, bo
 		row.m_frictionMax = isRolling ? double(rows[i].m_friction) : 0;
 		if (isRolling)
 			continue;
-		const double most =
-			row.m_friction * m_input.m_guess[m_input.m_singleRows[row.m_normal].m_row].m_impulse;
+		const double most = row.m_friction * m_input.m_guess[m_input.m_singleRows[row.m_normal].m_row].m_impulse;
 		const double slides = SLIDING * most;
 		m_input.m_guess[row.m_row].m_bound = static_cast<signed char>(m_lastFriction[i] >= slides    ? 1
 																	  : m_lastFriction[i] <= -slides ? -1

@@ -29,9 +29,17 @@ int Islands::rootOf(int body)
 	return body;
 }
 
+/// Does the body move, and belong to the group? One that was taken out of the world while its constraint stays does not.
+bool Islands::isMember(const btCollisionObject& body) const
+{
+	const int place = body.getCompanionId();
+	return !body.isStaticOrKinematicObject() && place >= 0 && place < int(m_members.size()) &&
+		   m_members[size_t(place)] == &body;
+}
+
 void Islands::join(const btCollisionObject& a, const btCollisionObject& b)
 {
-	if (a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject())
+	if (!isMember(a) || !isMember(b))
 		return;
 	const int rootA = rootOf(a.getCompanionId()), rootB = rootOf(b.getCompanionId());
 	// Low roots: a chain of bodies in order is a tree of depth one.
@@ -42,6 +50,7 @@ void Islands::join(const btCollisionObject& a, const btCollisionObject& b)
 void Islands::findIslands(const SolverGroup& group)
 {
 	m_parent.resize(group.m_numBodies);
+	m_members.assign(group.m_bodies, group.m_bodies + group.m_numBodies);
 	for (int i = 0; i < group.m_numBodies; ++i)
 	{
 		const bool moves = !group.m_bodies[i]->isStaticOrKinematicObject();
@@ -63,8 +72,8 @@ void Islands::findIslands(const SolverGroup& group)
 		if (!group.m_joints[i])
 			continue;
 		const btRigidBody& a = group.m_constraints[i]->getRigidBodyA();
-		const btRigidBody& moving = a.isStaticOrKinematicObject() ? group.m_constraints[i]->getRigidBodyB() : a;
-		if (moving.isStaticOrKinematicObject())
+		const btRigidBody& moving = isMember(a) ? a : group.m_constraints[i]->getRigidBodyB();
+		if (!isMember(moving))
 			continue;
 		int& number = m_islands[rootOf(moving.getCompanionId())];
 		if (number < 0)
@@ -76,7 +85,7 @@ void Islands::findIslands(const SolverGroup& group)
 
 int Islands::numberOf(const btCollisionObject& body) const
 {
-	return body.isStaticOrKinematicObject() ? m_numIslands : m_islands[body.getCompanionId()];
+	return isMember(body) ? m_islands[body.getCompanionId()] : m_numIslands;
 }
 
 template <class T>
@@ -107,10 +116,8 @@ void Islands::Sorted<T>::sort(T** items, int numIslands)
 void Islands::split(const SolverGroup& group)
 {
 	findIslands(group);
-	const auto key = [this](const btCollisionObject& a, const btCollisionObject& b, int order, int source)
-	{
-		return Key{uint64_t(orderOf(a)) << 32 | orderOf(b), order, source,
-				   numberOf(a.isStaticOrKinematicObject() ? b : a)};
+	const auto key = [this](const btCollisionObject& a, const btCollisionObject& b, int order, int source) {
+		return Key{uint64_t(orderOf(a)) << 32 | orderOf(b), order, source, numberOf(isMember(a) ? a : b)};
 	};
 	m_bodies.m_keys.clear();
 	for (int i = 0; i < group.m_numBodies; ++i)

@@ -68,13 +68,15 @@ private:
 
 	void findIslands(const SolverGroup& group);
 	void join(const btCollisionObject& a, const btCollisionObject& b);
+	bool isMember(const btCollisionObject& body) const;
 	int rootOf(int body);
 	int numberOf(const btCollisionObject& body) const;
 	SolverGroup get(int island);
 
 	int m_numIslands = 0;
-	std::vector<int> m_parent;   // of a forest of the group's bodies, -1 for those that do not move
-	std::vector<int> m_islands;  // per body
+	std::vector<btCollisionObject*> m_members;  // bodies of the group
+	std::vector<int> m_parent;                  // of a forest of the group's bodies, -1 for those that do not move
+	std::vector<int> m_islands;                 // per body
 	Sorted<btCollisionObject> m_bodies;
 	Sorted<btPersistentManifold> m_manifolds;
 	Sorted<btTypedConstraint> m_constraints;

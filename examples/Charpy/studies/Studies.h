@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_CHARPY_STUDIES_H
+#define EP_CHARPY_STUDIES_H
+
+#include "test/ImpactTest.h"
+#include "studies/Table.h"
+
+namespace ep::charpy
+{
+/// A row of tests that differ in something, by name.
+struct Study
+{
+	const char* name;
+	const char* help;
+	Table (*run)(const Settings& settings);
+};
+const std::vector<Study>& studies();
+
+/// Loss of tests that differ in the hammer's place by up to 20 um, in 41 equal steps [J].
+std::vector<double> lossesOverShifts(Settings settings);
+
+struct Spread
+{
+	double mean, deviation, least, most;  ///< [J]
+};
+Spread spreadOf(const std::vector<double>& losses);
+}  // namespace ep::charpy
+
+#endif  // EP_CHARPY_STUDIES_H

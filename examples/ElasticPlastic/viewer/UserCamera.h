@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_VIEWER_USER_CAMERA_H
+#define EP_VIEWER_USER_CAMERA_H
+
+#include "cli/WindowOptions.h"
+#include "drawing/ViewedScene.h"
+
+namespace ep
+{
+/// The camera that a person moves: behind the subject, free around it, or fixed at the side. Or the scene's own ones.
+class UserCamera
+{
+public:
+	/// \param views  whether the scene has cameras of its own; then it begins with them
+	explicit UserCamera(bool views) : m_views(views), m_mode(views ? VIEWS : CHASE) {}
+
+	void next();
+	void select(WindowCamera camera);
+	const char* name() const;
+
+	/// Mouse movements, pixels; the free camera obeys.
+	void turn(int dx, int dy);
+	void zoom(int steps);
+
+	bool showsViews() const { return m_mode == VIEWS; }
+	Camera camera(const ViewedScene& scene, const btTransform& subject, float aspect, btScalar seconds);
+
+private:
+	enum Mode
+	{
+		VIEWS,
+		CHASE,
+		ORBIT,
+		SIDE,
+		MODES
+	};
+
+	Camera chase(const btTransform& subject, btScalar seconds);
+	Camera orbit(const btTransform& subject) const;
+
+	bool m_views;
+	Mode m_mode;
+	btScalar m_azimuth = btScalar(2.2), m_elevation = btScalar(.3), m_distance = 22;
+	Camera m_chase;
+	bool m_chasing = false;
+};
+}  // namespace ep
+
+#endif  // EP_VIEWER_USER_CAMERA_H

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "page/Page.h"
+
+#include <sstream>
+
+#include "page/Sections.h"
+#include "page/Tables.h"
+
+namespace ep
+{
+std::string htmlOf(const ByProblem& problems, const std::vector<TrialRecord>& trials,
+				   const std::vector<std::pair<std::string, std::string>>& stamp)
+{
+	std::ostringstream out;
+	out << "<!DOCTYPE html><html lang=\"en\"><meta charset=\"utf-8\"><title>Error against run time</title>\n"
+		   "<style>body{font:15px sans-serif;max-width:1500px;margin:2em auto;padding:0 1em;color:#222}"
+		   "table{border-collapse:collapse;margin:1em 0;font-size:13px}"
+		   "td,th{border:1px solid #ccc;padding:3px 8px;text-align:left}"
+		   "th{background:#f4f4f4}svg{width:100%;max-width:1100px;height:auto}</style>\n"
+		   "<h1>Error against run time</h1>\n<table>";
+	for (const auto& line : stamp)
+		out << "<tr><td>" << line.first << "</td><td>" << line.second << "</td></tr>";
+	out << "</table>\n<p>What to take: our joints with <code>btElasticPlasticConstraintSolver</code> in its direct "
+		   "form, and "
+		   "<code>btElasticPlasticStepper</code> for the error you allow. Here is what that gives and costs beside all "
+		   "else: the same "
+		   "solver in its iterative form (iterative), Bullet's sequential impulses (stock), "
+		   "<code>btNNCGConstraintSolver</code> "
+		   "(nncg), <code>btMLCPSolver</code> with Dantzig's algorithm (mlcp), the paper's scheme, Bullet's own "
+		   "joints.</p>\n";
+	for (const Grid& grid : {overviewOf(problems), profileOf(problems), partsOf(problems)})
+		out << grid.html();
+	writeStability(out, trials);
+	for (const std::string& name : problems.names)
+	{
+		out << "<h2 id=\"" << name << "\">" << name << "</h2><p>" << problems.quantity.at(name) << "</p>\n";
+		writeProblem(out, name, problems.records.at(name));
+	}
+	out << "</html>\n";
+	return out.str();
+}
+}  // namespace ep

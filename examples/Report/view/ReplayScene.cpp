@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "view/ReplayScene.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "text/Format.h"
+
+namespace ep
+{
+namespace
+{
+const Colour STEEL = {.32f, .36f, .42f}, SUPPORT = {.45f, .43f, .40f};
+const double FRAME = 1. / 60;        // played [s]
+const size_t MOST_FRAMES = 60 * 60;  // a minute
+
+/// A little more than what it joins is thick.
+btScalar markOf(const btElasticPlasticJoint& joint)
+{
+	const btRigidBody *const a = &joint.getConstraint().getRigidBodyA(), *const b =
+																			 &joint.getConstraint().getRigidBodyB();
+	btVector3 low, high;
+	(b->getInvMass() > 0 ? b : a)->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+	const btVector3 size = high - low;
+	return btMin(size.y(), size.z()) * btScalar(1.15);
+}
+}  // namespace
+
+ReplayScene::ReplayScene(const std::string& title, const std::function<std::string(const Watch& watch)>& run)
+	: m_title(title)
+{
+	m_result = run([this](World& world, double time) { record(world, time); });
+	if (m_frames.empty())
+		throw std::runtime_error("there is nothing to see of '" + title + "'");
+	measure();
+}
+
+void ReplayScene::begin(World& world)
+{
+	m_frames.clear();
+	m_bodies.clear();
+	m_interval = FRAME;
+	for (const auto& body : world.bodies())
+	{
+		btVector3 low, high;
+		body->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+		m_bodies.push_back({high - low, body->getInvMass() == 0});
+	}
+}
+
+void ReplayScene::record(World& world, double time)
+{
+	if (time == 0)
+		begin(world);
+	if (!m_frames.empty() && time < m_frames.back().time + m_interval * 0.999)
+		return;
+	// What takes hours is played faster: of every two frames one goes.
+	if (m_frames.size() == MOST_FRAMES)
+	{
+		for (size_t i = 1; i < MOST_FRAMES / 2; ++i)
+			m_frames[i] = std::move(m_frames[2 * i]);
+		m_frames.resize(MOST_FRAMES / 2);
+		m_interval *= 2;
+	}
+	m_frames.push_back({time, {}, {}});
+	for (const auto& body : world.bodies())
+		m_frames.back().poses.push_back(body->getCenterOfMassTransform());
+	for (const btElasticPlasticJoint* joint : world.joints())
+		m_frames.back().joints.push_back({joint->getPosition(), markOf(*joint), float(joint->getUtilisation()),
+										  float(joint->getDamage()), joint->isBroken()});
+}
+
+/// Where it is, by which power of ten it is to be drawn larger to be some metres long, and by which its displacements are
+/// to be magnified to be a twentieth of its size.
+void ReplayScene::measure()
+{
+	m_low.setValue(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
+	m_high = -m_low;
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+		if (!m_bodies[i].isFixed)
+		{
+			m_low.setMin(m_frames.front().poses[i].getOrigin() - m_bodies[i].size / 2);
+			m_high.setMax(m_frames.front().poses[i].getOrigin() + m_bodies[i].size / 2);
+		}
+	const btScalar size = (m_high - m_low).length();
+	btScalar displacement = 0;
+	for (const Frame& frame : m_frames)
+		for (size_t i = 0; i < m_bodies.size(); ++i)
+		{
+			const btVector3& place = frame.poses[i].getOrigin();
+			const btScalar way = (place - m_frames.front().poses[i].getOrigin()).length();
+			// What flies off may leave the picture.
+			if (m_bodies[i].isFixed || !(way < size))
+				continue;
+			displacement = std::max(displacement, way);
+			m_low.setMin(place);
+			m_high.setMax(place);
+		}
+	// The viewer is made for things of a building's size.
+	if (m_high.x() >= m_low.x() && (size < 1 || size > 500))
+		m_size = std::pow(10, 1 - std::floor(std::log10(double(size))));
+	if (displacement > 0 && displacement < size / 20)
+		m_magnification = std::pow(10, std::floor(std::log10(double(size / 20 / displacement))));
+}
+
+btScalar ReplayScene::stepTime() const { return btScalar(FRAME); }
+
+void ReplayScene::step(const Controls&)
+{
+	// At its end it stands for a second.
+	m_frame = m_frame < m_frames.size() + 60 ? m_frame + 1 : 0;
+}
+
+btTransform ReplayScene::magnified(size_t body) const
+{
+	const btTransform &start = m_frames.front().poses[body], &now = frame().poses[body];
+	const btScalar by = btScalar(m_magnification);
+	const btQuaternion turn = now.getRotation() * start.getRotation().inverse();
+	const btScalar angle = turn.getAngleShortestPath() * by;
+	btTransform pose = now;
+	pose.setOrigin(start.getOrigin() + (now.getOrigin() - start.getOrigin()) * by);
+	if (by != 1 && angle > SIMD_EPSILON)
+		pose.setRotation(btQuaternion(turn.getW() < 0 ? -turn.getAxis() : turn.getAxis(), angle) * start.getRotation());
+	pose.setOrigin(shown(pose.getOrigin()));
+	return pose;
+}
+
+/// The ground is no part of what was computed: it lies well below.
+btVector3 ReplayScene::shown(const btVector3& place) const
+{
+	return (place - btVector3(0, m_low.y(), 0)) * btScalar(m_size) + btVector3(0, extent(), 0);
+}
+
+Drawing ReplayScene::draw() const
+{
+	Drawing drawing;
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+	{
+		const btTransform pose = magnified(i);
+		const btVector3 size = m_bodies[i].size * btScalar(m_size);
+		// What is much larger than the structure is but where it lies on.
+		if (size.length() < 3 * extent() && std::isfinite(pose.getOrigin().length()))
+			drawing.parts.push_back(boxPart(pose, size * btScalar(.98), m_bodies[i].isFixed ? SUPPORT : STEEL, .4f));
+	}
+	for (size_t i = 0; i < frame().joints.size(); ++i)
+	{
+		const Joint& joint = frame().joints[i];
+		if (!std::isfinite(joint.place.length()))
+			continue;
+		const btVector3& start = m_frames.front().joints[i].place;
+		const btTransform pose(btQuaternion(0, 0, 0, 1),
+							   shown(start + (joint.place - start) * btScalar(m_magnification)));
+		const btScalar size = joint.size * btScalar(m_size);
+		const Colour broken = {.6f, .02f, .4f};
+		drawing.parts.push_back(boxPart(pose, btVector3(size, size, size),
+										joint.isBroken ? broken : jointColour(joint.utilisation, joint.damage)));
+	}
+	drawing.text = {m_title, m_result, format("%.2f s, displacements x %g", frame().time, m_magnification)};
+	if (m_size != 1)
+		drawing.text.push_back(format("drawn %g times as large", m_size));
+	if (m_interval > FRAME)
+		drawing.text.push_back(format("played %g times as fast", m_interval / FRAME));
+	drawing.legend = {
+		{jointColour(0, 0), "unloaded"}, {jointColour(.5, 0), "half of yield"}, {jointColour(1, 0), "yields"}};
+	drawing.subject.setOrigin(centre());
+	return drawing;
+}
+
+btVector3 ReplayScene::centre() const { return shown((m_low + m_high) / 2); }
+
+/// A window is wider than high.
+btScalar ReplayScene::extent() const
+{
+	const btVector3 size = m_high - m_low;
+	return btMax(size.length(), btScalar(1.8) * size.y()) * btScalar(1.3 * m_size);
+}
+
+void ReplayScene::key(char key)
+{
+	if (key == '+' && m_magnification < 1e9)
+		m_magnification *= 10;
+	else if (key == '-' && m_magnification > 1)
+		m_magnification /= 10;
+}
+
+std::vector<std::string> ReplayScene::keyHelp() const { return {"+ -  displacements larger, smaller"}; }
+}  // namespace ep

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_REPLAY_SCENE_H
+#define EP_REPLAY_SCENE_H
+
+#include <algorithm>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "drawing/ViewedScene.h"
+#include "world/World.h"
+
+namespace ep
+{
+/// What has been computed, to look at: it is played again and again, drawn at a size that a window can show and its
+/// displacements magnified so that they are seen.
+class ReplayScene : public ViewedScene
+{
+public:
+	/// \param run  computes with a watch; of several runs the last one is kept. \return a line that tells what came of it
+	ReplayScene(const std::string& title, const std::function<std::string(const Watch& watch)>& run);
+
+	std::string title() const override { return m_title; }
+	btScalar stepTime() const override;
+	void step(const Controls& controls) override;
+	void restart() override { m_frame = 0; }
+	Drawing draw() const override;
+	btVector3 centre() const override;
+	btScalar extent() const override;
+	void key(char key) override;
+	std::vector<std::string> keyHelp() const override;
+
+private:
+	struct Body
+	{
+		btVector3 size;
+		bool isFixed;
+	};
+	struct Joint
+	{
+		btVector3 place;
+		btScalar size;  ///< of its mark
+		float utilisation, damage;
+		bool isBroken;
+	};
+	struct Frame
+	{
+		double time;
+		std::vector<btTransform> poses;
+		std::vector<Joint> joints;
+	};
+
+	void begin(World& world);
+	void record(World& world, double time);
+	void measure();
+	const Frame& frame() const { return m_frames[std::min(m_frame, m_frames.size() - 1)]; }
+	btTransform magnified(size_t body) const;
+	btVector3 shown(const btVector3& place) const;
+
+	std::string m_title, m_result;
+	std::vector<Body> m_bodies;
+	std::vector<Frame> m_frames;
+	size_t m_frame = 0;
+	btVector3 m_low, m_high;     ///< where the moving bodies are
+	double m_interval;           ///< from frame to frame [s]
+	double m_size = 1;           ///< of what is drawn over what it is: a power of ten
+	double m_magnification = 1;  ///< of displacements and turns: a power of ten
+};
+}  // namespace ep
+
+#endif  // EP_REPLAY_SCENE_H

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "BodyGate.h"
+
+#include <math.h>
+
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// The sum of numbers is finite only if all of them are.
+bool isSumFinite(const btVector3& sum) { return btElasticPlasticIsFinite(sum.x() + sum.y() + sum.z()); }
+}  // namespace
+
+bool isFinite(const btRigidBody& body)
+{
+	const btTransform& place = body.getCenterOfMassTransform();
+	const btMatrix3x3 &basis = place.getBasis(), &inertia = body.getInvInertiaTensorWorld();
+	return isSumFinite(body.getLinearVelocity() + body.getAngularVelocity() + body.getTotalForce() +
+					   body.getTotalTorque() + body.getLinearFactor() + body.getAngularFactor() + place.getOrigin() +
+					   basis[0] + basis[1] + basis[2] + inertia[0] + inertia[1] + inertia[2]) &&
+		   btElasticPlasticIsFinite(body.getInvMass());
+}
+
+btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA)
+{
+	if (body.getInvMass() == 0 || body.getBroadphaseHandle())
+		return btElasticPlasticFault();
+	return btElasticPlasticFault(
+		isBodyA ? "number of worlds that body A is in" : "number of worlds that body B is in", 0,
+		"1: call btDynamicsWorld::addRigidBody before addJoint; the joint is left out of steps without it");
+}
+
+btElasticPlasticFault findBodyFault(const btRigidBody& body, bool isBodyA, bool isTurned)
+{
+	if (!isFinite(body))
+		return btElasticPlasticFault(isBodyA ? "place, velocity, load, mass or inertia of body A"
+											 : "place, velocity, load, mass or inertia of body B",
+									 btScalar(NAN), "finite: the joint is left out of the steps in which it is not");
+	if (body.getInvMass() == 0)
+		return btElasticPlasticFault();
+	if (const btElasticPlasticFault fault = findMissingWorld(body, isBodyA))
+		return fault;
+	const btVector3& inverse = body.getInvInertiaDiagLocal();
+	if (isTurned && !(inverse.x() > 0 && inverse.y() > 0 && inverse.z() > 0))
+		return btElasticPlasticFault(
+			isBodyA ? "smallest inertia of body A [kg m^2]" : "smallest inertia of body B [kg m^2]", 0,
+			"greater than 0 for a body with mass: use btCollisionShape::calculateLocalInertia");
+	return btElasticPlasticFault();
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_WORLD_TOKEN_H
+#define BT_ELASTIC_PLASTIC_WORLD_TOKEN_H
+
+#include "BulletCollision/CollisionDispatch/btCollisionObject.h"
+
+class btDynamicsWorld;
+
+namespace btElasticPlastic
+{
+/// Tells whether a world still exists, which Bullet does not: an object in it that collides with nothing and is not drawn. A world
+/// takes its objects out of the broadphase when it goes. Owned by whom it was made for, but some clear a world by deleting all
+/// that is in it: then it is gone, too.
+class WorldToken
+{
+public:
+	~WorldToken() { leave(); }
+
+	/// Marks a world as the one that is asked about.
+	void enter(btDynamicsWorld& world);
+
+	/// Takes the mark out of it again, if there is one.
+	void leave();
+
+	/// The marked world; null if it is gone, or none is marked.
+	btDynamicsWorld* getWorld() const;
+
+private:
+	class Object;
+
+	Object* m_object = nullptr;
+	btDynamicsWorld* m_world = nullptr;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_WORLD_TOKEN_H
