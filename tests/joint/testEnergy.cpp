@@ -9,6 +9,7 @@
 
 #include "support/Precision.h"
 #include "world/World.h"
+#include "support/Run.h"
 
 namespace
 {
@@ -93,8 +94,7 @@ TEST(Hinge, BendsThroughSeveralTurns)
 	{
 		const double angle = 20;  // more than three turns
 		Hinge hinge(Solver::Iterative, JointClass::Spring2, dof, angle, 1, false, btQuaternion(0, 0, 0, 1));
-		for (int i = 0; i < 5 * 960; ++i)
-			hinge.m_world.step(btScalar(1) / 960);
+		run(hinge.m_world, 5 * 960, btScalar(1) / 960);
 		EXPECT_NEAR(angle, hinge.m_joint->getPlasticDeformation(dof), Hinge::SPIN / 960);
 	}
 }
@@ -181,8 +181,7 @@ TEST(Energy, IsAudited)
 TEST(Energy, SplitsIntoElasticPlasticAndNumerical)
 {
 	Chain chain(Solver::Iterative, JointClass::Spring2, btScalar(1e3));
-	for (int i = 0; i < 240; ++i)
-		chain.m_world.step(btScalar(1) / 240);
+	run(chain.m_world, 240, btScalar(1) / 240);
 	for (const btElasticPlasticJoint* joint : chain.m_world.joints())
 	{
 		double elastic = 0, plastic = 0;

@@ -67,7 +67,7 @@ TEST_P(Problems, DirectSolverIsRight)
 		EXPECT_LT(outcome.error(), rate < 500 ? bound.coarse : bound.fine)
 			<< outcome.quantities[0].name << ": " << outcome.quantities[0].value << " instead of "
 			<< outcome.quantities[0].exact;
-		// Contacts by mean velocities may create a ten-thousandth, rounding in float as much (testDirectContacts.cpp).
+		// Contacts by mean velocities may create a ten-thousandth, rounding in float as much (solver/testContacts.cpp).
 		EXPECT_LT(outcome.energyCreated, 1e-3);
 		EXPECT_GT(outcome.simulated, 0);
 	}

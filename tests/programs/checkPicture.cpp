@@ -12,7 +12,7 @@
 int main(int argc, char** argv)
 {
 	if (argc != 2)
-		return std::fprintf(stderr, "usage: check-picture FILE\n"), 2;
+		return std::fprintf(stderr, "usage: checkPicture FILE\n"), 2;
 	png_image image = {};
 	image.version = PNG_IMAGE_VERSION;
 	if (!png_image_begin_read_from_file(&image, argv[1]))

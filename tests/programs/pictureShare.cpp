@@ -60,7 +60,7 @@ int main(int argc, char** argv)
 {
 	if (argc != 3 && argc != 7)
 		return std::fprintf(stderr,
-							"usage: picture-share FILE KIND|OTHER-FILE|size [LEFT TOP RIGHT BOTTOM (per cent)]\n"),
+							"usage: pictureShare FILE KIND|OTHER-FILE|size [LEFT TOP RIGHT BOTTOM (per cent)]\n"),
 			   2;
 	const Picture picture(argv[1]);
 	const unsigned width = picture.image.width, height = picture.image.height;

@@ -15,6 +15,7 @@
 #include "problems/Catalogue.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
+#include "support/Run.h"
 
 namespace
 {
@@ -284,7 +285,7 @@ TEST(StepControl, SeesAKinematicRamComeToABodyThatIsJoined)
 	btRigidBody* const support = world.body(0, cube, at(3), false);
 	btRigidBody* const block = world.body(1000, cube, at(0));
 	btRigidBody* const ram = world.body(0, cube, at(-3));
-	ram->setCollisionFlags(ram->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+	makeKinematic(*ram);
 	btElasticPlasticCapacity capacity;
 	capacity.set(BT_EP_AXIAL, 1e6, 1e5);
 	world.joint(*block, *support, at(1.5), capacity);

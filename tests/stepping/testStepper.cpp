@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// What a profile tells of a world, and how it steps it.
+// What a stepper tells of a world, and how it steps it.
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ namespace
 {
 using namespace ep;
 
-TEST(Profile, TellsMistakes)
+TEST(Stepper, TellsMistakes)
 {
 	const auto textOf = [](btElasticPlasticConstraintSolver* solver, btScalar step)
 	{
@@ -34,7 +34,7 @@ TEST(Profile, TellsMistakes)
 		EXPECT_NE(std::string::npos, textOf(nullptr, step).find("mistake: the step is"));
 }
 
-TEST(Profile, TellsWhatItLeavesOutAndKeepsToTheError)
+TEST(Stepper, TellsWhatItLeavesOutAndKeepsToTheError)
 {
 	Cantilever::Settings settings;
 	auto* solver = new btElasticPlasticConstraintSolver;
@@ -43,18 +43,18 @@ TEST(Profile, TellsWhatItLeavesOutAndKeepsToTheError)
 	btRigidBody* support = world.body(0, world.box(btVector3(1, 1, 1)), at(-0.5), false);
 	Member member(world, settings.member, btTransform::getIdentity(), 2);
 	member.joinStart(world, *support);
-	btElasticPlasticStepper profile(world.bullet(), world.action(), solver, 0.01, btScalar(1) / 60);
+	btElasticPlasticStepper stepper(world.bullet(), world.action(), solver, 0.01, btScalar(1) / 60);
 	EXPECT_EQ(BT_EP_DIRECT, solver->getForm());
-	const std::string text = profile.getText();
+	const std::string text = stepper.getText();
 	EXPECT_NE(std::string::npos, text.find("10 joints between 10 bodies; up to 10 joints from a support")) << text;
 	EXPECT_NE(std::string::npos, text.find("substeps: left out")) << text;
 	int substeps = 0;
 	for (int i = 0; i < 60; ++i)
-		substeps += profile.step();
+		substeps += stepper.step();
 	EXPECT_LT(substeps, 60 + 15);
-	EXPECT_EQ(0, profile.step(0));
+	EXPECT_EQ(0, stepper.step(0));
 	const double time = world.action().getTime();
-	profile.step(btScalar(1) / 128);
+	stepper.step(btScalar(1) / 128);
 	EXPECT_EQ(time + 1. / 128, world.action().getTime());
 }
 }  // namespace

@@ -16,12 +16,11 @@
 #include "support/Precision.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
+#include "support/Run.h"
 
 namespace
 {
 using namespace ep;
-
-const btScalar FRAME = btScalar(1) / 60;
 
 // ---- the beam on supports
 
@@ -51,7 +50,7 @@ struct Drop
 	}
 };
 
-TEST(DirectContacts, BeamOnSupportsSinksUnderADroppedMass)
+TEST(Contacts, BeamOnSupportsSinksUnderADroppedMass)
 {
 	// This solver with steps of 1 to 8 us: 0.3322 to 0.3330 m after a second, 0.3357 to 0.3365 m at most. Of what longer steps
 	// do not resolve, waves and hinges that move, some is damped in place of bending: it goes with the root of the step.
@@ -64,7 +63,7 @@ TEST(DirectContacts, BeamOnSupportsSinksUnderADroppedMass)
 	EXPECT_EQ(0, coarse.m_fallbacks + fine.m_fallbacks);
 }
 
-TEST(DirectContacts, BeamOnSupportsGainsNoEnergy)
+TEST(Contacts, BeamOnSupportsGainsNoEnergy)
 {
 	// 10 kJ of falling mass. The beam that yields gains 12 mJ in all at most. The elastic one hops on its supports for long,
 	// and gains 1.5 J of which exacter contacts (1e-7 instead of 1e-3) leave half: by mean velocities a contact does work on
@@ -80,7 +79,7 @@ TEST(DirectContacts, BeamOnSupportsGainsNoEnergy)
 
 // ---- standing
 
-TEST(DirectContacts, StackOfJointedAndLooseBoxesStandsStill)
+TEST(Contacts, StackOfJointedAndLooseBoxesStandsStill)
 {
 	World world(Solver::Direct);
 	world.body(0, world.box(btVector3(20, 1, 20)), at(0, -0.5));
@@ -90,8 +89,7 @@ TEST(DirectContacts, StackOfJointedAndLooseBoxesStandsStill)
 		boxes.push_back(world.body(1000, cube, at(0, i + 0.5)));
 	world.joint(*boxes[0], *boxes[1], at(0, 1), evenCapacity(1e9));
 	world.joint(*boxes[3], *boxes[4], at(0, 4), evenCapacity(1e9));
-	for (int i = 0; i < 180; ++i)
-		world.step(FRAME);
+	run(world, 180);
 	for (int i = 0; i < 6; ++i)
 	{
 		// Joints give by 50 um; contacts may sink by some of Bullet's margin for penetration, here none, and 1e-3 of g dt a step
@@ -128,24 +126,22 @@ struct Slope
 	}
 };
 
-TEST(DirectContacts, FrictionHoldsUpToItsAngle)
+TEST(Contacts, FrictionHoldsUpToItsAngle)
 {
 	Slope slope(0.49);
-	for (int i = 0; i < 120; ++i)
-		slope.m_world.step(FRAME);
+	run(slope.m_world, 120);
 	// Held, but for 1e-3 of g dt a step that contacts are left with.
 	EXPECT_LT(fabs(slope.m_boxes[0]->getCenterOfMassPosition().x()), 0.01);
 	EXPECT_LT(slope.m_boxes[0]->getLinearVelocity().length(), 1e-3);
 	EXPECT_EQ(0, statisticsOf(slope.m_world).m_fallbacks);
 }
 
-TEST(DirectContacts, FrictionSlidesBeyondItsAngle)
+TEST(Contacts, FrictionSlidesBeyondItsAngle)
 {
 	for (double tangent : {0.52, 0.7})
 	{
 		Slope slope(tangent);
-		for (int i = 0; i < 120; ++i)
-			slope.m_world.step(FRAME);
+		run(slope.m_world, 120);
 		const double acceleration = 10 * (tangent - 0.5) / sqrt(1 + tangent * tangent);
 		// Friction's bounds follow the normal impulses to 1 %.
 		EXPECT_NEAR(2 * acceleration, slope.m_boxes[0]->getLinearVelocity().x(), 0.01 * 2 * 5);
@@ -178,7 +174,7 @@ double bounce(Solver solver, double restitution)
 	return highest;
 }
 
-TEST(DirectContacts, JointedPairBouncesAsWithTheStockSolver)
+TEST(Contacts, JointedPairBouncesAsWithTheStockSolver)
 {
 	for (double restitution : {0., 0.5, 1.})
 	{
@@ -223,7 +219,7 @@ struct Balls
 	}
 };
 
-TEST(DirectContacts, RollingFrictionStopsAnAxle)
+TEST(Contacts, RollingFrictionStopsAnAxle)
 {
 	for (double friction : {0., 0.1, 0.5})
 	{
@@ -237,15 +233,14 @@ TEST(DirectContacts, RollingFrictionStopsAnAxle)
 	}
 }
 
-TEST(DirectContacts, SpinningFrictionStopsATop)
+TEST(Contacts, SpinningFrictionStopsATop)
 {
 	for (double friction : {0., 0.1, 0.5})
 	{
 		Balls top(true, friction);
 		for (btRigidBody* ball : top.m_balls)
 			ball->setAngularVelocity(btVector3(0, 5, 0));
-		for (int i = 0; i < 60; ++i)
-			top.m_world.step(FRAME);
+		run(top.m_world, 60);
 		// Two balls of 10 kg m^2.
 		EXPECT_NEAR(5 - 60 * friction / 20, top.m_balls[1]->getAngularVelocity().y(), byPrecision(1e-6, 1e-3))
 			<< friction;
@@ -297,7 +292,7 @@ double largestDifference(Solver solver, const std::function<void(Mixed&)>& addCo
 // joint, which may lag by a step: a few cm at 2 m/s.
 const double SAME_ROWS = 1e-2, OTHER_ROWS = 5e-2;
 
-TEST(DirectContacts, HingeWithMotorAndLimitInTheIsland)
+TEST(Contacts, HingeWithMotorAndLimitInTheIsland)
 {
 	const auto add = [](Mixed& scene)
 	{
@@ -311,7 +306,7 @@ TEST(DirectContacts, HingeWithMotorAndLimitInTheIsland)
 	EXPECT_LT(largestDifference(Solver::Stock, add), OTHER_ROWS);
 }
 
-TEST(DirectContacts, SliderWithMotorAndLimitInTheIsland)
+TEST(Contacts, SliderWithMotorAndLimitInTheIsland)
 {
 	const auto add = [](Mixed& scene)
 	{
@@ -330,7 +325,7 @@ TEST(DirectContacts, SliderWithMotorAndLimitInTheIsland)
 }
 
 // Newton's line search crawls between hard rows: 30 of 120 steps fall back to iterations.
-TEST(DirectContacts, SpringConstraintWithMotorAndLimitsInTheIsland)
+TEST(Contacts, SpringConstraintWithMotorAndLimitsInTheIsland)
 {
 	const auto add = [](Mixed& scene)
 	{
@@ -352,7 +347,7 @@ TEST(DirectContacts, SpringConstraintWithMotorAndLimitsInTheIsland)
 	EXPECT_LT(largestDifference(Solver::Stock, add), OTHER_ROWS);
 }
 
-TEST(DirectContacts, BallSocketsCarryABridgeOfJoints)
+TEST(Contacts, BallSocketsCarryABridgeOfJoints)
 {
 	// Hung from two points at its ends: hard rows and a mechanism, whose weight they share.
 	World world(Solver::Direct);
@@ -370,8 +365,7 @@ TEST(DirectContacts, BallSocketsCarryABridgeOfJoints)
 		ends[i] = new btPoint2PointConstraint(*boxes[i ? 9 : 0], btVector3(btScalar(i ? 0.5 : -0.5), 0, 0));
 		world.add(ends[i]);
 	}
-	for (int i = 0; i < 120; ++i)
-		world.step(FRAME);
+	run(world, 120);
 	// 1e9 N m/rad and 2.5 m of arm: some 0.1 mm.
 	EXPECT_NEAR(0, boxes[5]->getCenterOfMassPosition().y(), 1e-3);
 	// Half of the weight on one side of the middle joint.
@@ -383,7 +377,7 @@ TEST(DirectContacts, BallSocketsCarryABridgeOfJoints)
 
 // ---- many contacts
 
-TEST(DirectContacts, FourHundredContactsOnAFrame)
+TEST(Contacts, FourHundredContactsOnAFrame)
 {
 	// A jointed floor of 10 x 10 slabs on four pillars, a loose box on each slab: four contacts each.
 	World world(Solver::Direct);
@@ -403,8 +397,7 @@ TEST(DirectContacts, FourHundredContactsOnAFrame)
 	}
 	for (int corner : {0, n - 1, n * (n - 1), n * n - 1})
 		world.body(0, box, slabs[corner]->getCenterOfMassTransform() * at(0, -0.35));
-	for (int i = 0; i < 60; ++i)
-		world.step(FRAME);
+	run(world, 60);
 	int contacts = 0;
 	for (int i = 0; i < world.bullet().getDispatcher()->getNumManifolds(); ++i)
 		contacts += world.bullet().getDispatcher()->getManifoldByIndexInternal(i)->getNumContacts();
@@ -425,7 +418,7 @@ TEST(DirectContacts, FourHundredContactsOnAFrame)
 }
 // ---- what contacts are made of
 
-TEST(DirectContacts, PlatesThatTouchAtTheirCornersHangAsThoseThatDoNot)
+TEST(Contacts, PlatesThatTouchAtTheirCornersHangAsThoseThatDoNot)
 {
 	// A floor of plates edge to edge: neighbours across a corner touch with forces of rounding's size, whose side Newton's search
 	// must not care about. With gaps there are no contacts.
@@ -447,8 +440,7 @@ TEST(DirectContacts, PlatesThatTouchAtTheirCornersHangAsThoseThatDoNot)
 				if (j > 0)
 					world.joint(*plates[i * n + j - 1], *plates.back(), at(i, 0, j - 0.5), evenCapacity(1e8));
 			}
-		for (int i = 0; i < 60; ++i)
-			world.step(btScalar(1) / 60);
+		run(world, 60);
 		tip[touching] = double(plates.back()->getCenterOfMassPosition().y());
 		EXPECT_EQ(0, statisticsOf(world).m_fallbacks);
 		if (touching)
@@ -461,7 +453,7 @@ TEST(DirectContacts, PlatesThatTouchAtTheirCornersHangAsThoseThatDoNot)
 	EXPECT_NEAR(1, tip[1] / tip[0], 0.01);
 }
 
-TEST(DirectContacts, SoftContactsSinkAsFarAsTheirStiffnessSays)
+TEST(Contacts, SoftContactsSinkAsFarAsTheirStiffnessSays)
 {
 	for (double stiffness : {1e4, 1e5, 1e6})
 	{
@@ -473,15 +465,14 @@ TEST(DirectContacts, SoftContactsSinkAsFarAsTheirStiffnessSays)
 		for (btRigidBody* body : {a, b})
 			body->setContactStiffnessAndDamping(btScalar(stiffness), btScalar(stiffness / 20));
 		world.joint(*a, *b, at(0.75, 0.5), evenCapacity(1e8));
-		for (int i = 0; i < 600; ++i)
-			world.step(btScalar(1) / 60);
+		run(world, 600);
 		// Four points a cube, each with the stiffness; margins are part of the boxes.
 		EXPECT_NEAR(100 * 10 / (4 * stiffness), 0.5 - double(a->getCenterOfMassPosition().y()),
 					0.01 * 100 * 10 / (4 * stiffness) + byPrecision(1e-9, 2e-6));
 	}
 }
 
-TEST(DirectContacts, LightFootCarriesAHeavyMass)
+TEST(Contacts, LightFootCarriesAHeavyMass)
 {
 	// By a joint of the foot's height: a foot of 1 kg under up to 10000 t.
 	for (double mass : {1e3, 1e5, 1e7})
@@ -492,8 +483,7 @@ TEST(DirectContacts, LightFootCarriesAHeavyMass)
 		btRigidBody* foot = world.body(1, cube, at(0, 0.5));
 		btRigidBody* load = world.body(btScalar(mass), cube, at(0, 1.5), false);
 		world.joint(*foot, *load, at(0, 1), evenCapacity(1e5 * mass));
-		for (int i = 0; i < 300; ++i)
-			world.step(btScalar(1) / 60);
+		run(world, 300);
 		// The joint gives by g / 1e5 = 0.1 mm; a millimetre is what contacts may leave (Bullet's slop is none here).
 		EXPECT_NEAR(1.5, double(load->getCenterOfMassPosition().y()), 1e-3) << mass;
 		EXPECT_EQ(0, statisticsOf(world).m_fallbacks);

@@ -17,12 +17,11 @@
 #include "support/Precision.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
+#include "support/Run.h"
 
 namespace
 {
 using namespace ep;
-
-const btScalar FRAME = btScalar(1) / 60;
 
 /// All bits of a body's motion.
 struct Bits
@@ -96,7 +95,7 @@ struct Yard
 	}
 };
 
-TEST(DirectIslands, LooseBodiesMoveAsWithTheStockSolverBitForBit)
+TEST(ManyIslands, LooseBodiesMoveAsWithTheStockSolverBitForBit)
 {
 	for (int batch : {0, 128})
 	{
@@ -111,7 +110,7 @@ TEST(DirectIslands, LooseBodiesMoveAsWithTheStockSolverBitForBit)
 	}
 }
 
-TEST(DirectIslands, SameSceneGivesTheSameBits)
+TEST(ManyIslands, SameSceneGivesTheSameBits)
 {
 	Yard first(Solver::Direct, 128), second(Solver::Direct, 128);
 	BeamOnSupports beam{BeamOnSupports::Settings()}, again{BeamOnSupports::Settings()};
@@ -127,7 +126,7 @@ TEST(DirectIslands, SameSceneGivesTheSameBits)
 	EXPECT_TRUE(bitsOf(beam.m_member.m_parts) == bitsOf(again.m_member.m_parts));
 }
 
-TEST(DirectIslands, StructureDoesNotFeelOtherIslands)
+TEST(ManyIslands, StructureDoesNotFeelOtherIslands)
 {
 	// Loose boxes beside it, made after or before it, in its batch or not: its bits stay.
 	Yard alone(Solver::Direct, 128, true, false);
@@ -210,7 +209,7 @@ private:
 	}
 };
 
-TEST(DirectIslands, StructuresGiveTheSameBitsWhateverIsBesideThem)
+TEST(ManyIslands, StructuresGiveTheSameBitsWhateverIsBesideThem)
 {
 	Quarter reference("abc", Quarter::ALONE);
 	reference.run();
@@ -236,8 +235,7 @@ std::vector<Bits> netThatSleeps(bool othersGrow)
 	btRigidBody* first = world.body(100, cube, at(0, 0, 500), false);
 	btRigidBody* second = world.body(100, cube, at(1, 0, 500), false);
 	const std::vector<btRigidBody*>& net = quarter.m_structures[1];
-	for (int i = 0; i < 20; ++i)
-		world.step(FRAME);
+	run(world, 20);
 	for (btRigidBody* body : net)
 		body->forceActivationState(ISLAND_SLEEPING);
 	for (int i = 0; i < 20; ++i)
@@ -248,18 +246,17 @@ std::vector<Bits> netThatSleeps(bool othersGrow)
 	}
 	for (btRigidBody* body : net)
 		body->forceActivationState(DISABLE_DEACTIVATION);
-	for (int i = 0; i < 20; ++i)
-		world.step(FRAME);
+	run(world, 20);
 	return bitsOf(net);
 }
 
-TEST(DirectIslands, SleeperDoesNotFeelWhatHappensMeanwhile)
+TEST(ManyIslands, SleeperDoesNotFeelWhatHappensMeanwhile)
 {
 	const std::vector<Bits> reference = netThatSleeps(false);
 	EXPECT_TRUE(netThatSleeps(true) == reference);
 }
 
-TEST(DirectIslands, BitsStayWhenAnotherBodyLeaves)
+TEST(ManyIslands, BitsStayWhenAnotherBodyLeaves)
 {
 	// Bullet moves the last of its bodies to the place of the one that leaves: here one of the net's.
 	std::vector<Bits> bits[2];
@@ -289,7 +286,7 @@ std::vector<Bits> fencesHitWith(int threads, btElasticPlasticStatistics& statist
 	btCollisionShape* post = world.box(btVector3(btScalar(0.2), 1, btScalar(0.2)));
 	world.body(0, world.box(btVector3(200, 1, 200)), at(0, -0.5));
 	btRigidBody* crane = world.body(0, post, at(-5, 3));
-	crane->setCollisionFlags(crane->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+	makeKinematic(*crane);
 	std::vector<btRigidBody*> posts;
 	for (int fence = 0; fence < 30; ++fence)
 	{
@@ -310,13 +307,12 @@ std::vector<Bits> fencesHitWith(int threads, btElasticPlasticStatistics& statist
 		}
 		last->setLinearVelocity(btVector3(0, 1, btScalar(0.5 * fence)));
 	}
-	for (int i = 0; i < 60; ++i)
-		world.step(FRAME);
+	run(world, 60);
 	statistics = statisticsOf(world);
 	return bitsOf(posts);
 }
 
-TEST(DirectIslands, ThreadsChangeNoBit)
+TEST(ManyIslands, ThreadsChangeNoBit)
 {
 	btElasticPlasticStatistics one, many;
 	const std::vector<Bits> reference = fencesHitWith(1, one);
@@ -331,7 +327,7 @@ TEST(DirectIslands, ThreadsChangeNoBit)
 	}
 }
 
-TEST(DirectIslands, SleepingStructureCostsNothingInAnUnsplitWorld)
+TEST(ManyIslands, SleepingStructureCostsNothingInAnUnsplitWorld)
 {
 	Quarter quarter("a", Quarter::UNSPLIT);
 	for (btRigidBody* body : quarter.m_structures[0])
@@ -341,11 +337,10 @@ TEST(DirectIslands, SleepingStructureCostsNothingInAnUnsplitWorld)
 	EXPECT_EQ(0, quarter.m_structures[0].back()->getCenterOfMassPosition().y());
 }
 
-TEST(DirectIslands, ElasticGraphIsAnalysedOnce)
+TEST(ManyIslands, ElasticGraphIsAnalysedOnce)
 {
 	Cantilever cantilever{Cantilever::Settings()};
-	for (int i = 0; i < 100; ++i)
-		cantilever.m_world.step(FRAME);
+	run(cantilever.m_world, 100);
 	const auto& statistics = statisticsOf(cantilever.m_world);
 	EXPECT_EQ(100, statistics.m_islands);
 	EXPECT_EQ(100 * 6 * 10, statistics.m_rows);
@@ -362,15 +357,14 @@ TEST(DirectIslands, ElasticGraphIsAnalysedOnce)
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_islands);
 }
 
-TEST(DirectIslands, YieldCostsNewtonStepsOnlyWhereItBeginsOrEnds)
+TEST(ManyIslands, YieldCostsNewtonStepsOnlyWhereItBeginsOrEnds)
 {
 	// A load that bends the root plastically: the bounds are found once, and found again where they were.
 	Cantilever cantilever{Cantilever::Settings()};
 	btElasticPlasticCapacity capacity = cantilever.m_root->getCapacity();
 	capacity.m_yield[BT_EP_BENDING_Z] = btScalar(1000);  // of the 1540 N m that hang there
 	cantilever.m_root->setCapacity(capacity);
-	for (int i = 0; i < 30; ++i)
-		cantilever.m_world.step(FRAME);
+	run(cantilever.m_world, 30);
 	const auto& statistics = statisticsOf(cantilever.m_world);
 	EXPECT_TRUE(cantilever.m_root->hasYielded());
 	EXPECT_GE(statistics.m_newtonSteps, 1);
@@ -378,28 +372,25 @@ TEST(DirectIslands, YieldCostsNewtonStepsOnlyWhereItBeginsOrEnds)
 	EXPECT_EQ(0, statistics.m_fallbacks);
 }
 
-TEST(DirectIslands, SleepingStructureCostsNothingAndWakesAsItWas)
+TEST(ManyIslands, SleepingStructureCostsNothingAndWakesAsItWas)
 {
 	Cantilever cantilever{Cantilever::Settings()};
 	for (btRigidBody* part : cantilever.m_member.m_parts)
 		part->forceActivationState(ACTIVE_TAG);
-	for (int i = 0; i < 300; ++i)
-		cantilever.m_world.step(FRAME);
+	run(cantilever.m_world, 300);
 	EXPECT_EQ(ISLAND_SLEEPING, cantilever.m_member.last().getActivationState());
 	const double sag = cantilever.sag();
 	EXPECT_NEAR(1, sag / cantilever.staticSag(), 1e-3);
 	solverOf(cantilever.m_world).resetStatistics();
 	const btElasticPlasticState asleep = cantilever.m_root->getState();
-	for (int i = 0; i < 60; ++i)
-		cantilever.m_world.step(FRAME);
+	run(cantilever.m_world, 60);
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_islands);
 	EXPECT_EQ(sag, double(cantilever.sag()));
 	EXPECT_EQ(asleep.m_force[BT_EP_BENDING_Z], cantilever.m_root->getState().m_force[BT_EP_BENDING_Z]);
 	EXPECT_EQ(asleep.m_work, cantilever.m_root->getState().m_work);
 
 	cantilever.m_member.last().activate(true);
-	for (int i = 0; i < 60; ++i)
-		cantilever.m_world.step(FRAME);
+	run(cantilever.m_world, 60);
 	EXPECT_GT(statisticsOf(cantilever.m_world).m_islands, 0);
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_analyses);
 	EXPECT_NEAR(sag, cantilever.sag(), 1e-3 * sag);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// The bookkeeping: events, removal, repair, order of deletion, what happens after a break.
+// The bookkeeping: events, removal, repair, order of deletion.
 
 #include <math.h>
 
@@ -11,44 +11,11 @@
 
 #include <gtest/gtest.h>
 
-#include "scenes/BlockUnderTension.h"
-#include "support/Precision.h"
+#include "support/Row.h"
 
 namespace
 {
 using namespace ep;
-
-/// Blocks hanging side by side, each on its own joint that breaks after the given plastic elongation.
-struct Row
-{
-	World m_world;
-	btRigidBody* m_ceiling;
-	std::vector<btElasticPlasticJoint*> m_joints;
-
-	explicit Row(int count, Solver solver = Solver::Iterative, double ductility = 0.05) : m_world(solver)
-	{
-		m_ceiling = m_world.body(0, m_world.box(btVector3(100, 1, 1)), btTransform::getIdentity(), false);
-		for (int i = 0; i < count; ++i)
-		{
-			const btVector3 place(btScalar(2 * i), -1, 0);
-			btRigidBody* block =
-				m_world.body(100, m_world.box(btVector3(1, 1, 1)), btTransform(btQuaternion(0, 0, 0, 1), place), false);
-			btElasticPlasticCapacity capacity;
-			for (int d = 0; d < BT_EP_DOF_COUNT; ++d)
-				capacity.set(d, btScalar(1e7), 800, btScalar(ductility));
-			m_joints.push_back(m_world.joint(
-				*m_ceiling, *block,
-				btTransform(btQuaternion(btVector3(0, 0, 1), -SIMD_HALF_PI), place + btVector3(0, btScalar(0.5), 0)),
-				capacity));
-		}
-	}
-
-	void run(int steps)
-	{
-		for (int i = 0; i < steps; ++i)
-			m_world.step(btScalar(1) / 240);
-	}
-};
 
 struct Diary : btElasticPlasticListener
 {
@@ -288,27 +255,6 @@ TEST(Action, DoesNothingToJointsThatWereNotSolved)
 	EXPECT_EQ(before.m_force[0], row.m_joints[0]->getState().m_force[0]);
 }
 
-TEST(Action, EvaluatingChangesNothing)
-{
-	// Trial and revert: rows may be asked for as often as one likes; only a commit moves the state.
-	Row row(1);
-	row.run(20);
-	btElasticPlasticJoint* joint = row.m_joints[0];
-	const btElasticPlasticState before = joint->getState();
-	for (int i = 0; i < 5; ++i)
-	{
-		EXPECT_EQ(6, joint->prepare());
-		joint->revert();
-		EXPECT_EQ(0, joint->commit());
-	}
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-	{
-		EXPECT_EQ(before.m_force[i], joint->getState().m_force[i]);
-		EXPECT_EQ(before.m_plastic[i], joint->getState().m_plastic[i]);
-	}
-	EXPECT_EQ(before.m_work, joint->getState().m_work);
-}
-
 TEST(Action, StatesCanBeSavedAndPutBack)
 {
 	Row row(1, Solver::Iterative, 10);
@@ -327,139 +273,4 @@ TEST(Action, StatesCanBeSavedAndPutBack)
 	EXPECT_EQ(first, row.m_joints[0]->getPlasticEnergy());
 }
 
-/// Two blocks bent against each other until their corners overlap deeply; then the joint breaks.
-struct BentBreak
-{
-	World m_world;
-	btRigidBody* m_a;
-	btRigidBody* m_b;
-	btElasticPlasticJoint* m_joint;
-
-	explicit BentBreak(Solver solver) : m_world(solver, btVector3(0, 0, 0))
-	{
-		btCollisionShape* cube = m_world.box(btVector3(1, 1, 1));
-		m_a = m_world.body(1000, cube, btTransform::getIdentity());
-		m_b = m_world.body(1000, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(1, 0, 0)));
-		btElasticPlasticCapacity capacity;
-		for (int d = 0; d < BT_EP_DOF_COUNT; ++d)
-			capacity.set(d, btScalar(1e8), btScalar(1e6));
-		capacity.set(BT_EP_BENDING_Z, btScalar(1e6), 2000, btScalar(0.6));
-		m_joint =
-			m_world.joint(*m_a, *m_b, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.5), 0, 0)), capacity);
-		m_b->setAngularVelocity(btVector3(0, 0, 4));
-		m_a->setAngularVelocity(btVector3(0, 0, -4));
-	}
-};
-
-TEST(Parting, GivesNoEnergyAtABreak)
-{
-	for (Solver solver : {Solver::Stock, Solver::Iterative})
-	{
-		BentBreak scene(solver);
-		bool broke = false;
-		double energy = 1e30;
-		int collidedAfter = 0;
-		for (int i = 0; i < 960; ++i)
-		{
-			scene.m_world.step(btScalar(1) / 240);
-			if (scene.m_joint->isBroken())
-			{
-				broke = true;
-				// Nothing acts any more but their contact: kinetic energy never rises, to the rounding of velocities.
-				EXPECT_LE(scene.m_world.kineticEnergy(), energy * (1 + byPrecision(1e-9, 1e-5)));
-				EXPECT_TRUE(scene.m_a->checkCollideWith(scene.m_b));
-				collidedAfter += scene.m_world.bullet().getDispatcher()->getNumManifolds() > 0;
-			}
-			energy = scene.m_world.kineticEnergy();
-		}
-		EXPECT_TRUE(broke);
-		// They did overlap and touch, else this proves nothing.
-		EXPECT_GT(collidedAfter, 0);
-	}
-}
-
-TEST(Parting, EndsWhenTheBodiesHaveParted)
-{
-	BentBreak scene(Solver::Iterative);
-	int steps = 0;
-	while (!scene.m_joint->isBroken() && steps++ < 960)
-		scene.m_world.step(btScalar(1) / 240);
-	ASSERT_TRUE(scene.m_joint->isBroken());
-	EXPECT_EQ(1, scene.m_world.bullet().getNumConstraints());
-	scene.m_b->setLinearVelocity(btVector3(2, 0, 0));
-	scene.m_a->setLinearVelocity(btVector3(-2, 0, 0));
-	for (int i = 0; i < 480; ++i)
-		scene.m_world.step(btScalar(1) / 240);
-	EXPECT_EQ(0, scene.m_world.bullet().getNumConstraints());
-}
-
-TEST(Parting, StillLetsBodiesRestOnEachOther)
-{
-	// A column crushed at a joint does not telescope: the upper block stays on the lower one.
-	World world(Solver::Iterative);
-	btCollisionShape* cube = world.box(btVector3(1, 1, 1));
-	btRigidBody* lower = world.body(0, cube, btTransform::getIdentity());
-	btRigidBody* upper = world.body(1000, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(0, 1, 0)));
-	btElasticPlasticCapacity capacity;
-	for (int d = 0; d < BT_EP_DOF_COUNT; ++d)
-		capacity.set(d, btScalar(1e7), 8000, btScalar(0.1));
-	btElasticPlasticJoint* joint = world.joint(
-		*lower, *upper, btTransform(btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI), btVector3(0, btScalar(0.5), 0)),
-		capacity);
-	for (int i = 0; i < 480; ++i)
-		world.step(btScalar(1) / 240);
-	ASSERT_TRUE(joint->isBroken());
-	EXPECT_NEAR(0.9, upper->getCenterOfMassPosition().y(), 0.02);
-}
-
-TEST(Parting, OutlivesDeletionOfTheBrokenJoint)
-{
-	BentBreak scene(Solver::Iterative);
-	while (!scene.m_joint->isBroken())
-		scene.m_world.step(btScalar(1) / 240);
-	ASSERT_EQ(1, scene.m_world.bullet().getNumConstraints());
-	scene.m_world.action().removeJoint(scene.m_joint);
-	EXPECT_EQ(0, scene.m_world.bullet().getNumConstraints());
-	for (int i = 0; i < 10; ++i)
-		scene.m_world.step(btScalar(1) / 240);
-}
-
-/// Counts what is drawn.
-struct Canvas : btIDebugDraw
-{
-	int m_lines = 0;
-	std::vector<btVector3> m_colours;
-
-	void drawLine(const btVector3&, const btVector3&, const btVector3& colour) override
-	{
-		++m_lines;
-		m_colours.push_back(colour);
-	}
-	void drawContactPoint(const btVector3&, const btVector3&, btScalar, int, const btVector3&) override {}
-	void reportErrorWarning(const char*) override {}
-	void draw3dText(const btVector3&, const char*) override {}
-	void setDebugMode(int) override {}
-	int getDebugMode() const override { return DBG_DrawWireframe; }
-};
-
-TEST(DebugDraw, ColoursJointsByUse)
-{
-	Row row(1);
-	Canvas fresh, broken;
-	row.m_world.action().debugDraw(&fresh);
-	ASSERT_GT(fresh.m_lines, 0);
-	EXPECT_EQ(btVector3(0, 1, 0), fresh.m_colours[0]);
-	row.run(240);
-	row.m_world.bullet().setDebugDrawer(&broken);
-	row.m_world.action().debugDraw(&broken);
-	ASSERT_GT(broken.m_lines, 0);
-	// Red, dark.
-	EXPECT_GT(broken.m_colours[0].x(), 5 * broken.m_colours[0].y());
-	EXPECT_LT(broken.m_colours[0].x(), 0.3);
-	// Bullet draws its actions itself.
-	const int lines = broken.m_lines;
-	row.m_world.bullet().debugDrawWorld();
-	EXPECT_GT(broken.m_lines, lines);
-	row.m_world.bullet().setDebugDrawer(nullptr);
-}
 }  // namespace

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// The constraint classes: which rows they give, what stays Bullet's, partners of every kind, solvers of every kind.
+// The constraint classes: which rows they give, what stays Bullet's, partners of every kind.
 
 #include <math.h>
 
 #include <gtest/gtest.h>
 
-#include "scenes/BlockUnderTension.h"
-#include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/JointWorks.h"
+#include "support/Pair.h"
 #include "support/Precision.h"
 
 namespace
@@ -21,22 +21,6 @@ int rowsOf(btTypedConstraint& constraint)
 	constraint.getInfo1(&info);
 	return info.m_numConstraintRows;
 }
-
-/// Two unit cubes side by side along x and the frames of a joint between them.
-struct Pair
-{
-	World m_world;
-	btRigidBody* m_a;
-	btRigidBody* m_b;
-	btTransform m_frame = btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(0.5), 0, 0));
-
-	explicit Pair(Solver solver = Solver::Iterative, btScalar massA = 0) : m_world(solver, btVector3(0, 0, 0))
-	{
-		m_a = m_world.body(massA, m_world.box(btVector3(1, 1, 1)), btTransform::getIdentity(), false);
-		m_b = m_world.body(12, m_world.box(btVector3(1, 1, 1)),
-						   btTransform(btQuaternion(0, 0, 0, 1), btVector3(1, 0, 0)), false);
-	}
-};
 
 btElasticPlasticCapacity capacityOf(unsigned dofs)
 {
@@ -53,8 +37,7 @@ TEST(Constraint, HasRowsOnlyForWhatItHasCapacityFor)
 		for (unsigned dofs = 0; dofs < 64; ++dofs)
 		{
 			Pair pair;
-			btElasticPlasticJoint* joint =
-				pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, capacityOf(dofs), jointClass);
+			btElasticPlasticJoint* joint = pair.join(capacityOf(dofs), jointClass);
 			int own = 0, locked = 0;
 			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 			{
@@ -64,7 +47,7 @@ TEST(Constraint, HasRowsOnlyForWhatItHasCapacityFor)
 				locked += i < 3 && !(dofs >> i & 1) && jointClass == JointClass::Spring2;
 			}
 			EXPECT_EQ(own + locked, rowsOf(joint->getConstraint())) << dofs;
-			EXPECT_EQ(own, joint->getNumRows());
+			EXPECT_EQ(own, btElasticPlastic::JointWorks::from(&joint->getConstraint())->m_step.getNumRows());
 		}
 }
 
@@ -85,8 +68,7 @@ btTransform endOn(Argument last, Set set)
 	pair.m_world.bullet().addConstraint(&joint);
 	pair.m_b->setLinearVelocity(btVector3(1, 1, 0));
 	pair.m_b->setAngularVelocity(btVector3(btScalar(0.3), 2, 0));
-	for (int i = 0; i < 60; ++i)
-		pair.m_world.step(btScalar(1) / 60);
+	run(pair.m_world, 60);
 	pair.m_world.bullet().removeConstraint(&joint);
 	return pair.m_b->getCenterOfMassTransform();
 }
@@ -140,8 +122,7 @@ TEST(Constraint, MixesPlasticHingeWithBulletsLocks)
 			}
 			pair.m_b->setAngularVelocity(btVector3(0, 0, 6));
 			const double kinetic = pair.m_world.kineticEnergy();
-			for (int i = 0; i < 960; ++i)
-				pair.m_world.step(btScalar(1) / 960);
+			run(pair.m_world, 960, btScalar(1) / 960);
 			// Off by one step of motion, because an explicit spring begins a step late; in float also by roundings of 960 steps.
 			EXPECT_NEAR(kinetic / 20, joint->getPlasticDeformation(BT_EP_BENDING_Z),
 						6. / 960 + byPrecision(0, 1e-4) * kinetic / 20);
@@ -162,8 +143,7 @@ TEST(Constraint, SeparatesItsImpulsesFromBulletsRows)
 		capacity.set(BT_EP_AXIAL, btScalar(1e5), 1000);
 		capacity.set(BT_EP_SHEAR_Z, btScalar(1e5), 1000);
 		capacity.set(BT_EP_BENDING_Y, btScalar(1e5), 1000);
-		btElasticPlasticJoint* joint =
-			pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, capacity, JointClass::Spring2);
+		btElasticPlasticJoint* joint = pair.join(capacity, JointClass::Spring2);
 		auto& base = static_cast<btElasticPlastic6DofSpring2Constraint&>(joint->getConstraint());
 		base.setLimit(BT_EP_TORSION, 0, 0);
 		base.setLimit(BT_EP_BENDING_Z, 0, 0);
@@ -189,7 +169,7 @@ TEST(Constraint, RigidPlasticHoldsThenFlows)
 		btElasticPlasticCapacity capacity;
 		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 			capacity.setRigidPlastic(i, 1000);
-		btElasticPlasticJoint* joint = pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, capacity);
+		btElasticPlasticJoint* joint = pair.join(capacity);
 		for (int i = 0; i < 60; ++i)
 		{
 			pair.m_b->applyCentralForce(btVector3(999, 0, 0));
@@ -216,16 +196,9 @@ TEST(Constraint, HangsFromAKinematicBodyThatMoves)
 	Pair pair;
 	pair.m_world.bullet().setGravity(btVector3(-10, 0, 0));
 	pair.m_b->setGravity(btVector3(10, 0, 0));
-	pair.m_a->setCollisionFlags(pair.m_a->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+	makeKinematic(*pair.m_a);
 	pair.m_b->setDamping(btScalar(0.99), btScalar(0.99));
-	btElasticPlasticJoint* joint = pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame,
-													  []
-													  {
-														  btElasticPlasticCapacity c;
-														  for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-															  c.set(i, btScalar(1e6), 1000);
-														  return c;
-													  }());
+	btElasticPlasticJoint* joint = pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, evenCapacity(1e6, 1000));
 	double speed = 0;
 	for (int i = 0; i < 600; ++i)
 	{
@@ -262,7 +235,7 @@ TEST(Constraint, JoinsABodyToTheWorld)
 			joint = c;
 		}
 		pair.m_world.add(constraint);
-		ASSERT_TRUE(joint->setCapacity(capacityOf(63)));
+		ASSERT_TRUE(joint->setCapacity(evenCapacity(1000, 100)));
 		ASSERT_TRUE(pair.m_world.action().addJoint(joint));
 		pair.m_b->setDamping(btScalar(0.9), btScalar(0.9));
 		for (int i = 0; i < 600; ++i)
@@ -278,7 +251,7 @@ TEST(Constraint, JoinsABodyToTheWorld)
 TEST(Constraint, KeepsTheUsersFeedback)
 {
 	Pair pair(Solver::Stock);
-	btElasticPlasticJoint* joint = pair.m_world.joint(*pair.m_a, *pair.m_b, pair.m_frame, capacityOf(63));
+	btElasticPlasticJoint* joint = pair.join(evenCapacity(1000, 100));
 	btJointFeedback mine;
 	joint->getConstraint().setJointFeedback(&mine);
 	for (int i = 0; i < 60; ++i)
@@ -294,87 +267,4 @@ TEST(Constraint, KeepsTheUsersFeedback)
 	EXPECT_NE(nullptr, joint->getConstraint().getJointFeedback());
 }
 
-/// Settled sag of the paper's block, all solvers: with damping the block comes to rest.
-double sag(Solver solver, int rate, double share)
-{
-	BlockUnderTension::Settings settings;
-	settings.method = solver;
-	settings.steelShare = btScalar(share);
-	BlockUnderTension block(settings);
-	block.m_block->setDamping(btScalar(0.99), btScalar(0.99));
-	for (int i = 0; i < 5 * rate; ++i)
-		block.m_world.step(btScalar(1) / rate);
-	EXPECT_FALSE(block.m_joint->hasYielded());
-	return block.sunk();
-}
-
-TEST(Solvers, HoldTheBlockAtItsElasticSag)
-{
-	const double share = 0.002, expected = 60e3 / (200e9 * share / 1.5);
-	for (Solver solver : {Solver::Stock, Solver::Nncg, Solver::Iterative})
-		for (int rate : {60, 240})
-			EXPECT_NEAR(expected, sag(solver, rate, share), 0.01 * expected) << int(solver) << " " << rate;
-	// Bullet's MLCP solver leaves a row's compliance out altogether: a spring stiffer than the step resolves is rigid there.
-	EXPECT_NEAR(0, sag(Solver::Mlcp, 60, share), 1e-6);
-	EXPECT_NEAR(expected, sag(Solver::Mlcp, 960, share), 0.01 * expected);
-}
-
-TEST(Solvers, StayFiniteAndLoseEnergyFromSoftToStiff)
-{
-	// A cantilever of ten cubes, spun and kicked: no solver may blow it up, whatever the stiffness.
-	for (Solver solver : {Solver::Stock, Solver::Nncg, Solver::Mlcp, Solver::Iterative})
-		for (double stiffness : {1e2, 1e4, 1e5, 1e6, 1e8, 1e12})
-			for (int rate : {60, 1000})
-			{
-				World world(solver, btVector3(0, 0, 0));
-				btCollisionShape* cube = world.box(btVector3(1, 1, 1));
-				btRigidBody* last = world.body(0, cube, btTransform::getIdentity(), false);
-				btElasticPlasticCapacity capacity;
-				for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-					capacity.set(i, btScalar(stiffness), btElasticPlasticCapacity::unlimited());
-				for (int i = 1; i <= 10; ++i)
-				{
-					btRigidBody* next = world.body(
-						100, cube, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i), 0, 0)), false);
-					world.joint(*last, *next, btTransform(btQuaternion(0, 0, 0, 1), btVector3(btScalar(i - 0.5), 0, 0)),
-								capacity);
-					last = next;
-				}
-				last->setLinearVelocity(btVector3(0, 1, btScalar(0.5)));
-				const double before = world.kineticEnergy();
-				double largest = 0;
-				for (int i = 0; i < 300; ++i)
-				{
-					world.step(btScalar(1) / rate);
-					largest = std::max(largest, world.kineticEnergy());
-				}
-				// The kick's energy may slosh, not grow.
-				EXPECT_LT(largest, 1.05 * before)
-					<< "solver " << int(solver) << " stiffness " << stiffness << " rate " << rate;
-			}
-}
-
-TEST(Solvers, OursIsTheStockSolverWhereThereAreNoJoints)
-{
-	const auto run = [](Solver solver)
-	{
-		World world(solver);
-		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
-		world.body(0, world.box(btVector3(50, 1, 50)), btTransform::getIdentity());
-		for (int i = 0; i < 10; ++i)
-			world.body(10, cube,
-					   btTransform(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.1 * i)),
-								   btVector3(btScalar(0.1 * i), btScalar(2 + 1.1 * i), 0)));
-		auto* hinge = new btHingeConstraint(*world.bodies()[3], *world.bodies()[4], btVector3(0, 1, 0),
-											btVector3(0, -1, 0), btVector3(1, 0, 0), btVector3(1, 0, 0));
-		world.add(hinge);
-		for (int i = 0; i < 240; ++i)
-			world.step(btScalar(1) / 60);
-		std::vector<btVector3> places;
-		for (const auto& body : world.bodies())
-			places.push_back(body->getCenterOfMassPosition());
-		return places;
-	};
-	EXPECT_TRUE(run(Solver::Stock) == run(Solver::Iterative));
-}
 }  // namespace
