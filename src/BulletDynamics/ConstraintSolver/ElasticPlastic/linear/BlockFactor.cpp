@@ -49,8 +49,9 @@ Lists neighboursOf(const BlockMatrix& matrix)
 	return neighbours;
 }
 
-/// The elimination tree of L's columns. Column j of L has the rows of H's column j and those of its children's columns. The parent
-/// of column j is its first row below the diagonal: column j updates that column first, and passes all its other rows on to it.
+/// The elimination tree of L's columns. Column j of L has the rows of H's column j and those of its children's columns. The
+/// parent of column j is its first row below the diagonal: column j updates that column first, and passes all its other rows
+/// on to it.
 struct EliminationTree
 {
 	std::vector<int> m_order;   // bodies

@@ -35,8 +35,8 @@ public:
 	/// Plans the factorisation of all matrices with this pattern. There is no factor before the next factorise().
 	void analyse(const BlockMatrix& matrix);
 
-	/// Computes the factor. \return false if the matrix is not positive definite: then there is no factor, solve() does nothing, and
-	/// the next factorise() computes everything
+	/// Computes the factor. \return false if the matrix is not positive definite: then there is no factor, solve() does
+	/// nothing, and the next factorise() computes everything
 	bool factorise(const BlockMatrix& matrix);
 
 	/// Computes the factor of a matrix that has changed since the last factorise() in these bodies' blocks and the blocks between

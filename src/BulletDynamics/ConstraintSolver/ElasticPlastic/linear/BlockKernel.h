@@ -54,7 +54,8 @@ struct BlockPanel
 	int m_loads;
 };
 
-/// A factor's structure as the kernels see it. There is one panel more than m_numPanels, which has the ends of the last one's lists.
+/// A factor's structure as the kernels see it. There is one panel more than m_numPanels, which has the ends of the last one's
+/// lists.
 struct BlockStructure
 {
 	const BlockPanel* m_panels;

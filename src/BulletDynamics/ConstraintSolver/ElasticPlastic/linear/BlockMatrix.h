@@ -42,7 +42,8 @@ public:
 
 	int getNumBodies() const { return m_numBodies; }
 
-	/// The pairs of bodies with a block, each once, sorted by lower body, then by higher. A block's rows are those of the higher body.
+	/// The pairs of bodies with a block, each once, sorted by lower body, then by higher. A block's rows are those of the
+	/// higher body.
 	int getNumPairs() const { return int(m_higher.size()); }
 	int getLowerBody(int pair) const { return m_lower[pair]; }
 	int getHigherBody(int pair) const { return m_higher[pair]; }

@@ -17,10 +17,10 @@ namespace btElasticPlastic
 {
 /// Solves H x = b for one matrix after another, on graphs that return step after step.
 ///
-/// The plan of a graph's factorisation is kept as long as the graph is used. Where a factor costs much more than a solution with
-/// it, the island's last factor is kept too: as long as H has changed little, a few iterations of conjugate gradients that the old
-/// factor preconditions are as exact as a new factor, and cheaper. Where H changes in a few bodies within a problem, only what
-/// depends on them is factorised again.
+/// The plan of a graph's factorisation is kept as long as the graph is used. Where a factor costs much more than a solution
+/// with it, the island's last factor is kept too: as long as H has changed little, a few iterations of conjugate gradients
+/// that the old factor preconditions are as exact as a new factor, and cheaper. Where H changes in a few bodies within a
+/// problem, only what depends on them is factorised again.
 class LinearSolver
 {
 public:
@@ -34,8 +34,8 @@ public:
 	/// \param islandId  by which the island's kept factor is found, see getIslandId(); 0: it has none
 	void begin(int numBodies, const std::vector<int>& edges, int islandId);
 
-	/// The number to be given to begin() when the same island returns. By it the island gets its own factor again, and not that of
-	/// another island with the same graph: its result must not depend on its neighbours. 0 if no factor is kept.
+	/// The number to be given to begin() when the same island returns. By it the island gets its own factor again, and not
+	/// that of another island with the same graph: its result must not depend on its neighbours. 0 if no factor is kept.
 	int getIslandId() const { return m_plan->m_islandId; }
 
 	BlockMatrix& getMatrix() { return m_plan->m_matrix; }

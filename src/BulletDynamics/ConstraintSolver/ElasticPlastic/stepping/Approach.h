@@ -14,8 +14,9 @@ namespace btElasticPlastic
 /// How bodies approach each other, of which at least one is held by elastic-plastic joints.
 struct Approach
 {
-	/// The largest speed of two bodies relative to each other over a twentieth of the smaller one's least edge [1/s]. A substep in
-	/// which they go further than that would leave a penetration that is pushed out against the joints, and so creates energy.
+	/// The largest speed of two bodies relative to each other over a twentieth of the smaller one's least edge [1/s]. A
+	/// substep in which they go further than that would leave a penetration that is pushed out against the joints, and so
+	/// creates energy.
 	double m_rate = 0;
 	bool m_isBlow = false;  ///< whether bodies that are still apart come together
 };

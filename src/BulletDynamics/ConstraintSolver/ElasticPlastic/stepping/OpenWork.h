@@ -22,9 +22,9 @@ namespace btElasticPlastic
 ///
 ///     T = sum of open work / (kinetic energy + energy of the springs at yield + yield values times plastic deformation),
 ///
-/// is of the size of the error in how much flows, or above it, for single degrees of freedom as for beams under blows, down to
-/// errors of a per cent (docs/performance.md). The plastic deformation is the present one, not the path of all flow to and fro, so
-/// that each swing counts by itself.
+/// is of the size of the error in how much flows, or above it, for single degrees of freedom as for beams under blows, down
+/// to errors of a per cent (docs/performance.md). The plastic deformation is the present one, not the path of all flow to and
+/// fro, so that each swing counts by itself.
 ///
 /// Only those degrees of freedom count that have flowed, or whose force may reach half of the yield value within a step, by its
 /// rate and the change of its rate.

@@ -36,8 +36,8 @@ private:
 		btVector3 m_force, m_torque;
 	};
 
-	/// The way of a kinematic body from where Bullet saw it last to where the game wants it. It takes the place of the body's motion
-	/// state until Bullet has read it once.
+	/// The way of a kinematic body from where Bullet saw it last to where the game wants it. It takes the place of the body's
+	/// motion state until Bullet has read it once.
 	class Way : public btMotionState
 	{
 	public:
