@@ -15,7 +15,7 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Lists of lists of numbers.
+/// Lists of numbers, stored one after another.
 struct Lists
 {
 	std::vector<int> m_start{0};
@@ -49,8 +49,9 @@ Lists neighboursOf(const BlockMatrix& matrix)
 	return neighbours;
 }
 
-/// The elimination tree. Column j of L has the rows of H's column j and those of its children's columns; its parent is the
-/// first of them, as its first update goes there, and passes all its rows on to it.
+/// The elimination tree of L's columns. Column j of L has the rows of H's column j and those of its children's columns. The
+/// parent of column j is its first row below the diagonal: column j updates that column first, and passes all its other rows
+/// on to it.
 struct EliminationTree
 {
 	std::vector<int> m_order;   // bodies
@@ -104,17 +105,18 @@ EliminationTree::EliminationTree(const BlockMatrix& matrix)
 	}
 }
 
-/// What a panel of so many block columns with so many block rows below costs, in units of a block's product.
+/// The cost of computing a panel of so many block columns with so many block rows below, in products of two blocks.
 double panelCost(double columns, double below)
 {
-	// Measured, and flat: twice or half as much makes no difference to the frame or the wall; more joins chains, to no avail.
+	// These values are measured. Twice or half of them makes no difference to a frame or a wall; larger ones also join the columns
+	// of chains, which gains nothing.
 	const double PerPanel = 1.5;
 	const double PerBlockUpdated = 0.5;
 	return PerPanel + PerBlockUpdated * below * (below + 1) / 2 + columns * columns * columns / 6 +
 		   columns * columns * (below + 1) / 2 + columns * (below + 1) * (below + 1) / 2;
 }
 
-/// Columns joined to panels: a panel joins its parent where the zeros stored in addition cost less than is saved.
+/// Columns joined to panels. A panel joins its parent where the zeros that are then stored cost less than the join saves.
 struct Panels
 {
 	std::vector<int> m_columns;  // of the tree, panel by panel
@@ -134,7 +136,7 @@ Panels::Panels(const EliminationTree& tree)
 	std::vector<char> isPanel(n, 1);
 	for (int j = 0; j < n; ++j)
 	{
-		// Those with the most rows have the most in common with their parent.
+		// Children with the most rows have the most in common with their parent, and are tried first.
 		children.assign(tree.m_children.begin(j), tree.m_children.end(j));
 		std::sort(children.begin(), children.end(),
 				  [&](int a, int b)
@@ -143,7 +145,7 @@ Panels::Panels(const EliminationTree& tree)
 					  return sizeA != sizeB ? sizeA > sizeB : a < b;
 				  });
 		const int below = tree.m_below.getSize(j);
-		int last = -1;  // column before j in the panel
+		int last = -1;  // the column before j in the panel
 		first[j] = j;
 		for (const int child : children)
 		{
@@ -174,7 +176,7 @@ Panels::Panels(const EliminationTree& tree)
 	}
 }
 
-/// In postorder: a panel's descendants come right before it, so that what is used together is stored together.
+/// Puts panels in postorder: a panel's descendants come right before it, so that what is used together is stored together.
 void Panels::sortPanels(const EliminationTree& tree, const std::vector<int>& panelOf)
 {
 	const int n = int(panelOf.size());
@@ -183,7 +185,7 @@ void Panels::sortPanels(const EliminationTree& tree, const std::vector<int>& pan
 	for (int j = 0; j < n; ++j)
 		if (panelOf[j] == j)
 			numDescendants[parentOf(j)] += numDescendants[j] + 1;
-	// From the roots down, each takes the last place that is free among its parent's descendants'.
+	// From the roots down, each panel takes the last free place of those that belong to its parent's descendants.
 	std::vector<int> lastFree(n + 1);
 	m_last.resize(numDescendants[n]);
 	lastFree[n] = numDescendants[n] - 1;
@@ -209,7 +211,8 @@ void BlockFactor::setMaxVectorWidth(int width)
 
 void BlockFactor::selectKernel()
 {
-	// Chains and trees are faster with vectors shorter than a block: 500 operations per body, 5000 in a beam of 2 x 2 bodies.
+	// Chains and trees are factorised faster with vectors shorter than a block. They take 500 operations per body, and a beam of
+	// 2 x 2 bodies takes 5000: the limit is between.
 	const bool isThin = m_numOperations < 2000 * int64_t(getNumBodies());
 	m_kernel = &BlockKernel::select(isThin ? std::min(m_maxVectorWidth, 4) : m_maxVectorWidth);
 }
@@ -274,7 +277,7 @@ void BlockFactor::analyse(const BlockMatrix& matrix)
 	m_hasFactor = false;
 }
 
-// A source updates every panel in which one of its rows below is a column.
+// A source panel updates every panel that has one of the source's rows below as a column.
 void BlockFactor::planUpdates()
 {
 	const int numPanels = int(m_panels.size()) - 1;
@@ -302,7 +305,7 @@ void BlockFactor::planUpdates()
 		});
 
 	m_runs.clear();
-	std::vector<int> row(m_bodies.size());  // in the target
+	std::vector<int> row(m_bodies.size());  // where a block row is in the target
 	for (int target = 0; target < numPanels; ++target)
 	{
 		const BlockPanel& panel = m_panels[target];
@@ -341,7 +344,7 @@ void BlockFactor::planLoads(const BlockMatrix& matrix)
 	std::vector<int> column(n);
 	for (int j = 0; j < n; ++j)
 		column[m_bodies[j]] = j;
-	// The bodies of a block: first that of its column in L.
+	// f gets a block of the matrix and its two bodies, first the one whose column of L holds the block.
 	const auto forBlocks = [&](auto f)
 	{
 		for (int i = 0; i < n; ++i)

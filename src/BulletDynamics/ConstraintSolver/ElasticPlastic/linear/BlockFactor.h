@@ -15,32 +15,33 @@ class BlockMatrix;
 
 /// Sparse Cholesky factor H = L L^T of a symmetric positive definite BlockMatrix.
 ///
-/// analyse() looks at the graph only: an order of elimination that keeps L sparse, and where in L everything goes.
-/// factorise() and solve() then follow its plan without a search or an allocation. Block columns with nearly the same rows
-/// are joined to dense panels, where the arithmetic runs at the processor's speed; a chain's or a tree's stay single.
-/// Panels are computed from left to right, each collecting the updates of those to its left: it is written while it is in
-/// the cache, and computing some panels anew is no different from computing all of them.
+/// analyse() looks at the graph only: it finds an order of elimination that keeps L sparse, and where in L each block goes.
+/// factorise() and solve() then follow this plan without a search or an allocation. Block columns with nearly the same rows
+/// are joined to dense panels, on which the arithmetic runs fastest; the columns of a chain or a tree stay single.
+/// Panels are computed from left to right, and each collects the updates of those to its left. A panel is therefore written
+/// while it is in the cache, and some panels are computed anew in the same way as all of them.
 ///
 /// Memory: 288 bytes per 6x6 block of L, about 400 with the plan. L has two blocks per body for a chain, 5 for a building's
 /// frame of 7000 bodies, 12 for a wall of 5000.
 ///
-/// Repeatable: the same matrix on the same processor gives the same bits, whether factorised at once or in parts. Processors
-/// with different vectors differ by rounding errors; setMaxVectorWidth(2) makes x86-64 processors agree. Different objects
-/// may be used by different threads at the same time, one object by one thread only.
+/// The factor is repeatable: the same matrix on the same processor gives the same bits, whether factorised at once or in parts.
+/// Processors with vectors of different widths differ by rounding errors; setMaxVectorWidth(2) makes x86-64 processors agree.
+/// Different objects may be used by different threads at the same time, one object by one thread only.
 class BlockFactor
 {
 public:
 	BlockFactor();
 
-	/// Plans the factorisation of all matrices with this pattern. No factor is there before the next factorise().
+	/// Plans the factorisation of all matrices with this pattern. There is no factor before the next factorise().
 	void analyse(const BlockMatrix& matrix);
 
-	/// False if the matrix is not positive definite; then there is no factor, solve() does nothing, and the next factorise()
-	/// starts afresh.
+	/// Computes the factor. \return false if the matrix is not positive definite: then there is no factor, solve() does
+	/// nothing, and the next factorise() computes everything
 	bool factorise(const BlockMatrix& matrix);
 
-	/// The same for a matrix that has changed since the last factorise() in these bodies' blocks and the blocks between them
-	/// only: computes what depends on them, to the same bits. All of it if there is no factor. May name a body twice.
+	/// Computes the factor of a matrix that has changed since the last factorise() in these bodies' blocks and the blocks between
+	/// them only. Only what depends on them is computed, with the same bits as a factor of the whole matrix; everything is
+	/// computed if there is no factor. A body may be named twice.
 	bool factorise(const BlockMatrix& matrix, const int* changedBodies, int numChangedBodies);
 
 	bool hasFactor() const { return m_hasFactor; }
@@ -48,7 +49,7 @@ public:
 	/// x = H^-1 x, 6 doubles per body. Leaves x as it is if there is no factor.
 	void solve(double* x) const;
 
-	/// Upper limit of the number of doubles in a vector: 2, 4 or 8; as wide as pays without. There is no factor thereafter.
+	/// Limits the number of doubles in a vector to 2, 4 or 8; without a limit vectors are as wide as pays. The factor is lost.
 	void setMaxVectorWidth(int width);
 	int getVectorWidth() const { return m_kernel->m_width; }  ///< of the analysed matrix' factor
 

@@ -12,11 +12,11 @@
 #include <immintrin.h>
 #endif
 
-// Loops of n turns, over what is to stay in registers.
+// BT_UNROLL(n) is put before loops of n turns over values that are to stay in registers.
 #if defined(__clang__)
 #define BT_UNROLL(n) _Pragma("clang loop unroll(full)")
 #define BT_UNROLL_NOT _Pragma("clang loop unroll(disable)")
-// Without optimisation it says that it does not.
+// Without optimisation clang warns that it has not unrolled them.
 #pragma clang diagnostic ignored "-Wpass-failed"
 #elif defined(__GNUC__)
 #define BT_UNROLL_TEXT(text) _Pragma(#text)
@@ -32,10 +32,10 @@ namespace btElasticPlastic
 namespace
 {
 const double Huge = DBL_MAX;
-/// Relative to the matrix' diagonal: below it a pivot is nothing but rounding errors.
+/// A pivot below this share of the matrix' diagonal consists of rounding errors only.
 const double LeastPivot = 4 * DBL_EPSILON;
 
-// Every machine's.
+// The kernels for every machine.
 namespace Baseline
 {
 #if defined(__GNUC__)

@@ -8,8 +8,8 @@
 
 namespace btElasticPlastic
 {
-// The arithmetic of BlockFactor, apart from it because it is compiled for several instruction sets: the wider
-// ones must not meet Bullet's classes, whose alignment they would change. Plain data only.
+// The arithmetic of BlockFactor is apart from it because it is compiled for several instruction sets. Code for the wider ones
+// must not include Bullet's classes, whose alignment it would change, and works on plain data only.
 //
 // The factor L, H = L L^T, is stored in panels. A panel is a set of consecutive block columns and the block rows in which any
 // of them is not zero: first its own columns' rows, then those below; a dense column-major array, as many doubles from one
@@ -24,7 +24,8 @@ struct BlockRun
 };
 
 /// The part of a panel that is subtracted from a later one: P -= S S_c^T, where S are the source's rows that the target has as
-/// rows, S_c those that it has as columns. Given as runs, the columns' first; a column has its own row and the later ones.
+/// rows, and S_c those that it has as columns. The rows are given as runs, those of S_c first. A column is updated in its own row
+/// and in the later ones.
 struct BlockUpdate
 {
 	int m_source;
@@ -53,7 +54,8 @@ struct BlockPanel
 	int m_loads;
 };
 
-/// A factor as the kernels see it; numPanels + 1 panels.
+/// A factor's structure as the kernels see it. There is one panel more than m_numPanels, which has the ends of the last one's
+/// lists.
 struct BlockStructure
 {
 	const BlockPanel* m_panels;
@@ -62,18 +64,21 @@ struct BlockStructure
 	const BlockLoad* m_loads;
 	const int* m_below;  ///< block rows below the panels' own
 	int m_numPanels;
-	/// Doubles that kernels may read, but do not use, behind a panel's last element, and behind solve's work space.
+	/// The number of doubles behind a panel's last element, and behind solve's work space, that kernels may read but do not use.
 	static const int Padding = 8;
 };
 
 struct BlockKernel
 {
-	/// Computes the panels (all if null, ascending) of L from the matrix' blocks; inverse: 1 / diagonal of L.
-	/// False at the first pivot that is not positive by more than rounding errors.
+	/// Computes panels of L from the matrix' blocks.
+	/// \param panels   which, in ascending order; null: all
+	/// \param inverse  gets 1 / diagonal of L
+	/// \return false at the first pivot that is not positive by more than rounding errors
 	bool (*m_factorise)(const BlockStructure& s, const double* matrix, const int* panels, int numPanels,
 						double* values, double* inverse);
 
-	/// x = (L L^T)^-1 x, in the order of elimination; work: as many doubles as the longest panel has rows, and Padding.
+	/// Computes x = (L L^T)^-1 x, in the order of elimination.
+	/// \param work  as many doubles as the longest panel has rows, and Padding
 	void (*m_solve)(const BlockStructure& s, const double* values, const double* inverse, double* x,
 					double* work);
 

@@ -8,8 +8,8 @@
 //   broadcast        a number into all elements
 //   total            the sum of all elements, always in the same order
 //   TileRows         vectors, and TileColumns: what the registers hold best; measured
-// and with BT_KERNEL, the attributes of its functions. BT_UNROLL stands where loops run over registers. Vectors are read
-// beyond the last row of a panel (what is read there is finite and does not count), but never written.
+// and with BT_KERNEL, the attributes of its functions. BT_UNROLL is put before loops that run over registers. Vectors are read
+// beyond the last row of a panel, where values are finite and not used, but never written there.
 
 /// C -= A B^T for a tile: A has Rows vectors of rows, B has Columns rows, depth is the number of columns of both. The tile's
 /// last vector holds numLast rows.
@@ -97,8 +97,8 @@ BT_KERNEL inline void applyUpdate(const BlockRun* runs, int numColumnRuns, int n
 		}
 }
 
-/// Cholesky factor of a 6x6 block, lower triangle, in place. Eliminates as L D L^T first: square roots then wait for no other
-/// pivot, and no pivot for them.
+/// Computes the Cholesky factor of a 6x6 block, lower triangle, in place. The block is eliminated as L D L^T first, so that
+/// pivots need not wait for square roots.
 /// \param inverse  in: the limits below which a pivot counts as zero, out: 1 / diagonal
 BT_KERNEL inline bool factoriseDiagonal(double* block, size_t stride, double* inverse)
 {
@@ -114,7 +114,7 @@ BT_KERNEL inline bool factoriseDiagonal(double* block, size_t stride, double* in
 	BT_UNROLL(6)
 	for (int c = 0; c < 6; ++c)
 	{
-		// Also false for what is not a number.
+		// The comparisons are false for a pivot that is not a number, too.
 		positive &= l[c][c] > inverse[c] && l[c][c] < Huge;
 		const double inversePivot = 1 / l[c][c];
 		BT_UNROLL(6)
@@ -196,7 +196,7 @@ BT_KERNEL inline void loadPanel(const BlockLoad* loads, int numLoads, const doub
 		if (loads[i].m_row == loads[i].m_column)
 			for (int c = 0; c < 6; ++c)
 				inverse[6 * loads[i].m_column + c] = LeastPivot * from[7 * c];
-		// Unrolled, it would run out of registers for its addresses.
+		// Unrolled, these loops would run out of registers for their addresses.
 		if (loads[i].m_transposed)
 		{
 			BT_UNROLL_NOT
@@ -348,7 +348,7 @@ BT_KERNEL inline void solvePanelTransposed(const BlockPanel& panel, const int* b
 	double* own = x + 6 * size_t(panel.m_first);
 	for (int b = columns; b < rows; b += 6, ++below)
 		memcpy(work + b, x + 6 * size_t(*below), 6 * sizeof(double));
-	// What is read behind the last row must not count.
+	// Zeros behind the last row: what is read there must not count.
 	store(work + rows, broadcast(0));
 	l += (columns - 6) * (size_t(rows) + 1);
 	for (int c = columns - 6; c >= 0; c -= 6, l -= 6 * size_t(rows) + 6)

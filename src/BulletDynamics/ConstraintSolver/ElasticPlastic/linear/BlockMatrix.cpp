@@ -17,7 +17,7 @@ void BlockMatrix::setPattern(int numBodies, const int (*edges)[2], int numEdges)
 	m_lower.clear();
 	m_higher.clear();
 
-	// Edges by lower body, then by higher, by two passes of a stable counting sort.
+	// Two passes of a stable counting sort put the edges in the order of their lower bodies, then of their higher ones.
 	std::vector<int> byHigher(numEdges), sorted(numEdges), start;
 	const auto sort = [&](const std::vector<int>* from, std::vector<int>& to, auto key)
 	{

@@ -12,8 +12,8 @@ namespace btElasticPlastic
 /// A symmetric matrix of 6x6 blocks on a graph of bodies: one block on the diagonal per body, one beside it per pair of
 /// bodies that an edge joins. Always double: a stiff chain's matrix is too ill-conditioned for float.
 ///
-/// It knows nothing of any elimination order; BlockFactor copies from it. So it stays as assembled: for
-/// residuals, for iterations with a stale factor, for factorising again after a few blocks have changed.
+/// The matrix knows nothing of an order of elimination: BlockFactor copies its blocks. It therefore stays as it was assembled,
+/// for iterations with the factor of an earlier matrix, and for factorising again after a few blocks have changed.
 ///
 /// A block holds element (row, column) at [6 * column + row]. 288 bytes per body and per pair.
 class BlockMatrix
@@ -29,8 +29,8 @@ public:
 	double* diagonal(int body) { return &m_values[36 * size_t(body)]; }
 	const double* diagonal(int body) const { return &m_values[36 * size_t(body)]; }
 
-	/// The block of an edge {a, b} of setPattern's list, 36 doubles: its rows are a's and its columns b's degrees of freedom;
-	/// the other way round if transposed. Its mirror image is not stored.
+	/// The block of an edge {a, b} of setPattern's list, 36 doubles. Its rows are the degrees of freedom of a and its columns
+	/// those of b; if transposed, the other way round. The block's mirror image is not stored.
 	double* offDiagonal(int edge, bool& transposed)
 	{
 		transposed = m_edgeTransposed[edge] != 0;
@@ -42,7 +42,8 @@ public:
 
 	int getNumBodies() const { return m_numBodies; }
 
-	/// The pairs of bodies with a block, each once, sorted by lower body, then by higher. Rows of the block are the higher's.
+	/// The pairs of bodies with a block, each once, sorted by lower body, then by higher. A block's rows are those of the
+	/// higher body.
 	int getNumPairs() const { return int(m_higher.size()); }
 	int getLowerBody(int pair) const { return m_lower[pair]; }
 	int getHigherBody(int pair) const { return m_higher[pair]; }

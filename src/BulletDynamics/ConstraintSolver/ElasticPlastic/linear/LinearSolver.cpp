@@ -11,10 +11,10 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// A plan that no island has used for so many steps makes room for new ones. Where contacts change an island's graph in every
-/// step, there are so many plans of it and one more.
+/// A plan that no island has used for more than this number of steps makes room for new ones. An island whose graph contacts
+/// change in every step has one plan more than this number.
 const long long KEPT_STEPS = 2;
-/// Plans kept where nobody tells of steps.
+/// The number of plans that are kept where beginStep() is never called, so that plans have no age.
 const size_t KEPT_PLANS = 256;
 
 size_t hashOf(int numBodies, const std::vector<int>& edges)
@@ -25,7 +25,7 @@ size_t hashOf(int numBodies, const std::vector<int>& edges)
 	return hash;
 }
 
-/// Is a factor so much more expensive than a solution with it that iterating with an old one pays?
+/// Whether a factor is so much more expensive than a solution with it that iterating with an old one pays.
 bool isWorthKeeping(const BlockFactor& factor)
 {
 	return LinearSolver::mayKeepFactor(factor.getNumBodies()) &&
@@ -56,7 +56,7 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 			m_plan->m_islandId = ++m_lastIslandId;
 		++m_statistics.m_analyses;
 	}
-	// What has slept is solved afresh: whether its plan is still there depends on others.
+	// The old factor of an island that has slept is not used: whether its plan is still there depends on other islands.
 	m_factorState = m_plan->m_lastUse + 1 >= m_step ? OLD : NONE;
 	m_plan->m_lastUse = m_step;
 }
@@ -65,7 +65,7 @@ void LinearSolver::setSettings(const btElasticPlasticSolverSettings& settings)
 {
 	if (settings.m_maxVectorWidth != m_settings.m_maxVectorWidth)
 	{
-		// Plans are made for a width.
+		// A plan is made for one width of vectors.
 		m_plans.clear();
 		m_plan = nullptr;
 	}
@@ -140,7 +140,8 @@ double dot(const std::vector<double>& x, const std::vector<double>& y)
 }
 }  // namespace
 
-/// Conjugate gradients, preconditioned with a factor that H has left behind a little. Leaves x as it was if it takes too long.
+/// Solves by conjugate gradients, preconditioned with the factor of an earlier H. Leaves x as it was if that takes too many
+/// iterations.
 bool LinearSolver::iterate(std::vector<double>& x)
 {
 	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime);
@@ -173,7 +174,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 			x.swap(m_solution);
 			return true;
 		}
-		// Give up when the way is too long: each iteration gains about what the last one did.
+		// The iterations that are left do not suffice if each of them gains what the last one did.
 		if (!(rest < before) || pow(rest / before, m_settings.m_maxIterations - 1 - i) * rest > enough)
 			return false;
 		before = rest;

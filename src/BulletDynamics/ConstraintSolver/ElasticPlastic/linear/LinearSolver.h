@@ -15,40 +15,40 @@
 
 namespace btElasticPlastic
 {
-/// H x = b for one matrix after another, on graphs that come back step after step.
+/// Solves H x = b for one matrix after another, on graphs that return step after step.
 ///
-/// A graph's plan of factorisation is kept while the graph does. Where a factor costs much more than a solution with it, the
-/// island's last factor is kept too: as long as H has changed little, a few steps of conjugate gradients that it
-/// preconditions are as exact and cheaper than a new one. Where H changes in a few bodies within a problem, only what depends
-/// on them is factorised again.
+/// The plan of a graph's factorisation is kept as long as the graph is used. Where a factor costs much more than a solution
+/// with it, the island's last factor is kept too: as long as H has changed little, a few iterations of conjugate gradients
+/// that the old factor preconditions are as exact as a new factor, and cheaper. Where H changes in a few bodies within a
+/// problem, only what depends on them is factorised again.
 class LinearSolver
 {
 public:
 	explicit LinearSolver(btElasticPlasticStatistics& statistics) : m_statistics(statistics) {}
 
-	/// Ages what is kept: plans that no step has used for a while make room for new ones.
+	/// Ages the plans: those that no step has used for a while make room for new ones.
 	void beginStep() { ++m_step; }
 
 	/// Begins a problem, with a matrix of zeros on its graph.
 	/// \param edges   two bodies each; repetitions and directions make no difference to the matrix
-	/// \param islandId  of the island, see getIslandId(); 0: has none
+	/// \param islandId  by which the island's kept factor is found, see getIslandId(); 0: it has none
 	void begin(int numBodies, const std::vector<int>& edges, int islandId);
 
-	/// To be given to begin() when the same island comes back, so that it gets its own factor again, not that of an island
-	/// with the same graph: what it is solved with must not depend on its neighbours. 0 if no factor is kept.
+	/// The number to be given to begin() when the same island returns. By it the island gets its own factor again, and not
+	/// that of another island with the same graph: its result must not depend on its neighbours. 0 if no factor is kept.
 	int getIslandId() const { return m_plan->m_islandId; }
 
 	BlockMatrix& getMatrix() { return m_plan->m_matrix; }
 
 	/// To be called after each assembly.
-	/// \param changedBodies  whose blocks are not as they were at the last assembly of this problem; may name one twice
+	/// \param changedBodies  bodies whose blocks differ from the last assembly of this problem; one may be named twice
 	void setAssembled(const std::vector<int>& changedBodies);
 
 	/// x = H^-1 x, 6 doubles per body. \return false, and x means nothing, if H is not positive definite
 	bool solve(std::vector<double>& x);
 
-	/// May an island of so many bodies have a factor that is kept? If not, nothing of it stays here but its graph's plan: any
-	/// linear solver gives the same bits.
+	/// Whether the factor of an island of so many bodies may be kept. If not, only its graph's plan stays here, and any
+	/// LinearSolver gives the same bits.
 	static bool mayKeepFactor(int numBodies) { return numBodies > 100; }
 
 	void setSettings(const btElasticPlasticSolverSettings& settings);
@@ -61,7 +61,7 @@ private:
 		BlockMatrix m_matrix;
 		BlockFactor m_factor;
 		int m_islandId = 0;
-		int m_patience = 0;  // solutions for which iterating with an old factor is not tried again
+		int m_patience = 0;  // number of solutions for which iterating with an old factor is not tried again
 		long long m_lastUse = 0;
 	};
 
@@ -69,8 +69,8 @@ private:
 	enum FactorState
 	{
 		NONE,
-		OLD,     // of the step before
-		NEARLY,  // of this problem, but for m_changed
+		OLD,     // the factor of the step before
+		NEARLY,  // the factor of this problem's last matrix, which has changed in the blocks of m_changed
 		CURRENT
 	};
 

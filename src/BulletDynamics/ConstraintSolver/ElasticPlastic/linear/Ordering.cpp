@@ -16,7 +16,7 @@ namespace btElasticPlastic
 //  - nodes with the same neighbours are one: a node of size > 1;
 //  - a node of L_p without other neighbours is eliminated with p;
 //  - an element within L_p is dropped.
-// Nodes with very many neighbours would make it quadratic, and come last in any case.
+// Nodes with very many neighbours would make the time quadratic. They come last in any case, and are put there from the start.
 
 namespace
 {
@@ -33,15 +33,16 @@ private:
 	int m_numEliminated = 0;
 	int m_least = 0;  // no node has a lower degree
 
-	// Nodes not yet eliminated; of an eliminated node or a part of another the size is 0.
+	// The number of nodes that a node stands for. It is 0 once the node is eliminated or a part of another one, and negative while
+	// the node is a member of the pivot's L_p.
 	std::vector<int> m_size;
 	std::vector<int> m_degree;  // of nodes; of elements: the sum of sizes in L_e, 0 if dropped
 	std::vector<int> m_list;    // E_i, then A_i
 	std::vector<int> m_start, m_numElements, m_length;
-	// Nodes of the same degree, first come, first served: doubly linked lists. The last to come first, as is customary, takes
-	// a tenth more operations on walls and solids, and chains from one end instead of from both.
+	// Doubly linked lists of the nodes of each degree, first in, first out. Last in, first out, as is customary, takes a tenth more
+	// operations on walls and solids, and eliminates chains from one end instead of from both.
 	std::vector<int> m_head, m_tail, m_next, m_previous;
-	// What is part of a node, in order: linked lists.
+	// Linked lists of the parts of each node, in order.
 	std::vector<int> m_part, m_lastPart;
 
 	std::vector<int> m_members;  // L_e of all elements
@@ -167,7 +168,8 @@ void MinimumDegree::absorb(int node, int part)
 	m_lastPart[node] = m_lastPart[part];
 }
 
-// L_p: all neighbours of the pivot. Its own elements are within it and are dropped. Members get negative sizes until finished.
+// Forms L_p, all neighbours of the pivot. The pivot's own elements lie within L_p and are dropped. Members of L_p have negative
+// sizes until finishElement().
 void MinimumDegree::joinNeighbours(int pivot)
 {
 	m_size[pivot] = -m_size[pivot];
@@ -253,7 +255,7 @@ void MinimumDegree::updateNode(int pivot, int node)
 		absorb(pivot, node);
 		return;
 	}
-	// The pivot is a new element. There is room: either the pivot itself or one of its elements has left the list.
+	// The pivot enters the list as a new element. There is room for it, as either the pivot itself or one of its elements has left.
 	list[numKept] = list[numElements];
 	list[numElements] = pivot;
 	m_numElements[node] = numElements + 1;

@@ -8,13 +8,13 @@
 
 namespace btElasticPlastic
 {
-/// An order of elimination that keeps the Cholesky factor of a symmetric sparse matrix sparse: approximate minimum degree.
-/// Depends on the graph and its numbering only, so it is the same on every machine.
+/// Finds an order of elimination that keeps the Cholesky factor of a symmetric sparse matrix sparse, by approximate minimum
+/// degree. The order depends on the graph and its numbering only, so it is the same on every machine.
 ///
 /// \param n          number of nodes
 /// \param start      n + 1 entries: node i's neighbours are neighbours[start[i]] to neighbours[start[i + 1] - 1]
 /// \param neighbours each edge from both its ends, no node its own neighbour, none twice
-/// \param order      the node to be eliminated first, second, ...
+/// \param order      gets the nodes in the order in which they are to be eliminated
 void minimumDegree(int n, const int* start, const int* neighbours, std::vector<int>& order);
 }  // namespace btElasticPlastic
 

@@ -10,7 +10,7 @@
 
 namespace btElasticPlastic
 {
-/// Adds the time of its life to a sum [s], and shows as a zone in Bullet's profile.
+/// Adds the time between its construction and destruction to a sum [s], and is a zone of Bullet's profiler.
 class ScopedTimer
 {
 public:

@@ -6,7 +6,7 @@
 
 namespace btElasticPlastic
 {
-// Vectors in space, in double whatever Bullet's precision.
+// Operations on vectors in space, in double whatever Bullet's precision.
 
 inline double dot(const double* a, const double* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 

@@ -11,7 +11,7 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Asks the broadphase what is on a body's way.
+/// Asks the broadphase which bodies are in the path of a body.
 struct Query : btBroadphaseAabbCallback
 {
 	btDynamicsWorld& m_world;
@@ -56,7 +56,7 @@ struct Query : btBroadphaseAabbCallback
 		return true;
 	}
 
-	static constexpr btScalar SHARE = btScalar(0.05);  ///< of an edge
+	static constexpr btScalar SHARE = btScalar(0.05);  ///< of the least edge
 };
 }  // namespace
 

@@ -11,17 +11,18 @@ class btDynamicsWorld;
 
 namespace btElasticPlastic
 {
-/// Bodies that come near each other, one of which elastic-plastic joints hold.
+/// How bodies approach each other, of which at least one is held by elastic-plastic joints.
 struct Approach
 {
-	/// Speed at which bodies near others over a twentieth of the smaller one's least edge, the largest [1/s]: penetration that
-	/// joints are pushed apart by is work from nowhere.
+	/// The largest speed of two bodies relative to each other over a twentieth of the smaller one's least edge [1/s]. A
+	/// substep in which they go further than that would leave a penetration that is pushed out against the joints, and so
+	/// creates energy.
 	double m_rate = 0;
-	bool m_isBlow = false;  ///< do bodies that are still apart come together?
+	bool m_isBlow = false;  ///< whether bodies that are still apart come together
 };
 
-/// Looks along the ways of the next dt [s].
-/// \param joined  those that elastic-plastic joints hold
+/// Looks ahead along the paths of bodies in the next dt [s].
+/// \param joined  the bodies that elastic-plastic joints hold
 Approach lookAhead(btDynamicsWorld& world, const BodyMarks& joined, btScalar dt);
 }  // namespace btElasticPlastic
 

@@ -9,18 +9,18 @@
 
 namespace btElasticPlastic
 {
-/// Some of a world's bodies, by their place in it.
+/// A set of a world's bodies, by their index in the world.
 class BodyMarks
 {
 public:
-	/// None of them.
+	/// Makes the set empty, for a world with so many bodies.
 	void clear(int numBodies)
 	{
 		m_isMarked.resize(0);
 		m_isMarked.resize(numBodies, false);
 	}
 
-	/// What the world did not have when it was cleared cannot be marked.
+	/// Does nothing for a body that came into the world after clear().
 	void mark(const btCollisionObject& object)
 	{
 		if (isKnown(object))

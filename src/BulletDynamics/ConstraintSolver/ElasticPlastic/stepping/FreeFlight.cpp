@@ -13,7 +13,7 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Which of the world's bodies have constraints or contacts.
+/// The world's bodies that have constraints or contacts.
 BodyMarks findHeld(btDynamicsWorld& world)
 {
 	BodyMarks held;

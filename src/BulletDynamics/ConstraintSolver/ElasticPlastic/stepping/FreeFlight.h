@@ -10,10 +10,13 @@ class btDynamicsWorld;
 
 namespace btElasticPlastic
 {
-/// Bullet's velocities stand half a substep before its places. A substep of another length moves that time, and what falls
-/// would lose or gain the speed of the difference: a body that falls by half a metre in steps of 1/60 s and lands in fine ones
-/// a twentieth of its energy. Here it gets what gravity makes of it, if nothing holds or touches it.
-/// \param later  by how much the time moves: half of the last substep less the next one [s]
+/// Keeps the energy of bodies in free fall when the length of the substep changes.
+///
+/// Bullet's velocities belong to a time half a substep before that of its positions. A substep of another length shifts that
+/// time, and a falling body would lose or gain the speed that gravity gives it in between: a body that falls by half a metre
+/// in steps of 1/60 s, and lands in fine ones, a twentieth of its energy. Here every body that nothing holds or touches gets
+/// that speed.
+/// \param later  by how much the time shifts: half of the last substep less half of the next one [s]
 void keepFreeFlight(btDynamicsWorld& world, btScalar later);
 }  // namespace btElasticPlastic
 

@@ -22,7 +22,7 @@ void OpenWork::measure(const btDynamicsWorld& world, btElasticPlasticAction& act
 		Island& island = m_islands[i];
 		if (island.m_openWork == 0)
 			continue;
-		// Of what is not held, the motion of the whole will not be dissipated.
+		// Joints cannot dissipate the motion of an island as a whole if nothing holds it.
 		for (int k = 0; k < 3 && !island.m_isHeld; ++k)
 			island.m_carried += 0.5 * island.m_momentum[k] * island.m_momentum[k] / island.m_mass;
 		island.m_energy -= island.m_carried;
@@ -80,7 +80,8 @@ void OpenWork::addJoints(btElasticPlasticAction& action)
 	}
 }
 
-/// What moves with its support has that much less to be dissipated; of several supports the one that leaves least.
+/// An island that moves with its support has so much less kinetic energy that joints can dissipate. Of several supports the one
+/// counts that leaves the least.
 void OpenWork::addSupport(Island& island, const btRigidBody& support, const btVector3& place)
 {
 	const btVector3 v = support.getVelocityInLocalPoint(place - support.getCenterOfMassPosition());
@@ -98,13 +99,13 @@ void OpenWork::addRow(Island& island, const btElasticPlasticJoint& joint, int r,
 	joint.getCommittedRow(r, dof, before, after);
 	const btElasticPlasticCapacity& capacity = joint.getCapacity();
 	const double yield = capacity.m_yield[dof], change = fabs(double(after - before));
-	// Rigid up to yield: what has not flowed has nothing to leave open, and no energy to set the solver's rounding against.
+	// A rigid-plastic row that has not flowed leaves nothing open, and has no energy with which to compare the solver's rounding.
 	if (capacity.isRigidPlastic(dof) && joint.getPlasticPath(dof) == 0)
 		return;
 	if (!capacity.isRigidPlastic(dof))
 	{
 		const double stiffness = capacity.m_stiffness[dof];
-		// Where the force gets to within a step: nothing is near yield that stays below half of it.
+		// The force that may be reached within a step: a row whose force stays below half of its yield value is not near yield.
 		const double ahead = fabs(double(joint.getForce(dof))) +
 							 stiffness * m_ahead * (fabs(double(after)) + change * m_ahead / (2 * m_length));
 		if (joint.getPlasticPath(dof) == 0 && ahead < yield / 2)

@@ -14,42 +14,42 @@ class btRigidBody;
 
 namespace btElasticPlastic
 {
-/// The estimate that the choice of substeps rests on: how much of the energy at play a substep has left open.
+/// The estimate by which substeps are chosen: how much of the energy at play a substep has left open.
 ///
-/// A substep of length h takes the rate of deformation v as constant. What that leaves out is the second difference of the
-/// deformation, h |v1 - v0|, which falls as h^2. Times the yield value it is work that may have gone one way or the other, the
-/// open work. Set against the energy that is at play,
+/// A substep of length h takes the rate of deformation v as constant. What this leaves out is the second difference of the
+/// deformation, h |v1 - v0|, which falls as h^2. Multiplied by the yield value it is work that the substep leaves undecided, the
+/// open work. Its share in the energy at play of an island,
 ///
 ///     T = sum of open work / (kinetic energy + energy of the springs at yield + yield values times plastic deformation),
 ///
-/// of an island, it is of the size of the error in how much flows or above it, for single degrees of freedom as for beams under
-/// blows, down to errors of a per cent (docs/performance.md). Plastic deformation is the one that there is, not the path of all
-/// that has gone to and fro: each swing counts by itself.
+/// is of the size of the error in how much flows, or above it, for single degrees of freedom as for beams under blows, down
+/// to errors of a per cent (docs/performance.md). The plastic deformation is the present one, not the path of all flow to and
+/// fro, so that each swing counts by itself.
 ///
-/// Only degrees of freedom count that have flowed or may reach half of their yield value within a step, by their force's rate
-/// and its change.
+/// Only those degrees of freedom count that have flowed, or whose force may reach half of the yield value within a step, by its
+/// rate and the change of its rate.
 class OpenWork
 {
 public:
-	/// Looks at the world after a substep.
+	/// Measures what a substep has left open, after it.
 	/// \param length  of the substep [s]
-	/// \param ahead   how far ahead yield counts: the step [s]
+	/// \param ahead   how far ahead yield is looked for, the length of the step [s]
 	void measure(const btDynamicsWorld& world, btElasticPlasticAction& action, double length, double ahead);
 
 	/// T, the largest of all islands.
 	double getShare() const { return m_share; }
 
-	/// The same without what may be the rounding of places: shorter substeps do not mend that.
+	/// T without what may be the rounding of positions, which shorter substeps do not reduce.
 	double getMendableShare() const { return m_mendableShare; }
 
 private:
 	struct Island
 	{
 		double m_openWork;
-		double m_roundedWork;  ///< of it, what may be the rounding of places
+		double m_roundedWork;  ///< the part of it that may be the rounding of positions
 		double m_energy, m_mass, m_momentum[3];
-		double m_carried;  ///< of the kinetic energy, what the motion of the whole is
-		bool m_isHeld;     ///< by something that does not move with it
+		double m_carried;  ///< the part of the kinetic energy that is motion of the whole
+		bool m_isHeld;     ///< by a static or kinematic body
 	};
 
 	void addBodies(const btDynamicsWorld& world);
@@ -59,7 +59,7 @@ private:
 
 	double m_length = 0, m_ahead = 0;
 	double m_share = 0, m_mendableShare = 0;
-	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's tag
+	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's island tag
 };
 }  // namespace btElasticPlastic
 

@@ -32,7 +32,7 @@ double mobility(const btElasticPlasticJoint& joint, int dof)
 	return sum;
 }
 
-/// How many joints lie between the supports and the body that is farthest from them.
+/// The number of joints between the supports and the body that is farthest from them.
 int depthOf(btElasticPlasticAction& action)
 {
 	btHashMap<btHashPtr, int> index;

@@ -10,7 +10,7 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Bullet multiplies loads by the body's factors when they are applied.
+/// Divides a load by the body's factors, with which Bullet multiplies it again when it is applied.
 btVector3 over(btVector3 load, const btVector3& factor)
 {
 	for (int k = 0; k < 3; ++k)
@@ -46,7 +46,7 @@ StepInput::Way::Way(btRigidBody& body, const btTransform& end)
 
 void StepInput::Way::go(btScalar share)
 {
-	// Whoever moves it between substeps has it.
+	// A body that something else moves between substeps is left to that.
 	if (!(wantedPlaceOf(*m_body) == (m_motionState ? m_end : m_place)))
 		return;
 	m_place = share < 1 ? btTransform(m_start.getRotation().slerp(m_end.getRotation(), share),
@@ -54,7 +54,7 @@ void StepInput::Way::go(btScalar share)
 						: m_end;
 	m_isReady = false;
 	if (m_motionState)
-		m_body->setMotionState(this);  // reads it, too
+		m_body->setMotionState(this);  // this reads it once, which must not count
 	else
 		m_body->setWorldTransform(m_place);
 	m_isReady = true;

@@ -13,28 +13,31 @@ class btRigidBody;
 
 namespace btElasticPlastic
 {
-
-/// What a game has done to bodies before a step, for all of the step's substeps: forces, which Bullet takes off after the first,
-/// and the way of kinematic bodies, which Bullet lets them go within the first, at as many times their speed.
+/// Applies what a game has done to bodies before a step in all of its substeps.
+///
+/// Bullet takes forces off after the first substep; here they act in all of them. Bullet moves kinematic bodies all their way in
+/// the first substep, at many times their speed; here they move evenly.
 class StepInput
 {
 public:
-	/// For a step of dt > 0 [s]. Kinematic bodies get the velocity at which they will go.
+	/// Notes loads and ways for a step of dt > 0 [s], and gives kinematic bodies the velocity at which they will move.
 	StepInput(btDynamicsWorld& world, btScalar dt);
 	~StepInput();
 
-	/// Before the substep that ends at this share of the step, 1 is all of it. Bodies may have been deleted since the last one.
+	/// Applies loads and moves kinematic bodies before a substep. Bodies may have been deleted since the last one.
+	/// \param share  of the step that is over when the substep ends, 1 for the last one
 	void apply(btScalar share);
 
 private:
-	/// By the proxy a body is told from one that was made later at the same address.
+	/// The proxy's uid tells a body from another one that was made later at the same address.
 	struct Load
 	{
 		int m_proxy;
 		btVector3 m_force, m_torque;
 	};
 
-	/// From where Bullet saw a kinematic body last to where the game wants it. For one reading it is the body's motion state.
+	/// The way of a kinematic body from where Bullet saw it last to where the game wants it. It takes the place of the body's
+	/// motion state until Bullet has read it once.
 	class Way : public btMotionState
 	{
 	public:
@@ -52,7 +55,7 @@ private:
 		btMotionState* m_motionState;  ///< the body's own
 		int m_proxy;
 		btTransform m_start, m_end, m_place;
-		bool m_isReady = true;  ///< for Bullet to read; it has then read it
+		bool m_isReady = true;  ///< whether the next reading is the one after which the body gets its own motion state back
 	};
 
 	const btDynamicsWorld& m_world;
