@@ -75,7 +75,8 @@ btRigidBody* ground(World& world) { return world.body(0, world.box(btVector3(50,
 
 int yielded(const World& world)
 {
-	return int(std::count_if(world.joints().begin(), world.joints().end(),
+	const auto joints = world.joints();
+	return int(std::count_if(joints.begin(), joints.end(),
 							 [](const btElasticPlasticJoint* joint) { return joint->hasYielded(); }));
 }
 

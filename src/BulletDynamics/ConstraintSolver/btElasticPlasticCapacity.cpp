@@ -59,7 +59,8 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 		if (isElasticPlastic(i) && !isRigidPlastic(i) && !(m_stiffness[i] >= leastStiffness()))
 			return btElasticPlasticFault(
 				linear ? "stiffness [N/m]" : "stiffness [N m/rad]", m_stiffness[i],
-				"at least 1e-20 where there is a yield value (or rigid-plastic, by setRigidPlastic)", i);
+				"greater than 0 where there is a yield value, at least 1e-20 (or rigid-plastic, by setRigidPlastic)",
+				i);
 	}
 	return btElasticPlasticFault();
 }

@@ -7,7 +7,7 @@
 #include "btElasticPlasticJoint.h"
 
 /// One of Bullet's 6-dof constraints with the elastic-plastic joint added: first Base's own rows, then the elastic-plastic ones.
-/// A degree of freedom belongs to one of the two. Where Base has nothing to do it is not asked.
+/// A degree of freedom belongs to one of the two. Base is not asked for rows if it has none.
 template <class Base>
 class btElasticPlasticConstraint : public Base, public btElasticPlasticJoint
 {

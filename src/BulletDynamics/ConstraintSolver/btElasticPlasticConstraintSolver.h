@@ -14,8 +14,8 @@ namespace btElasticPlastic
 class SolverWorks;
 }
 
-/// Bullet's solver with elastic-plastic joints solved right: hand it to the world instead of
-/// btSequentialImpulseConstraintSolver. Islands without elastic-plastic joints are solved as ever, bit for bit.
+/// Bullet's solver, which also solves elastic-plastic joints accurately: give it to the world instead of
+/// btSequentialImpulseConstraintSolver. Islands without elastic-plastic joints are solved as by Bullet, bit for bit.
 ///
 /// Direct (the default): all rows of an island at once, by a sparse factorisation. A stiff structure holds at any step. Where
 /// the search does not converge the iterative form takes over, and the statistics count it.
@@ -36,7 +36,7 @@ public:
 	bool setSettings(const btElasticPlasticSolverSettings& settings);
 	const btElasticPlasticSolverSettings& getSettings() const;
 
-	/// One setting, the others stay.
+	/// Change one setting; the others stay as they are. \return as setSettings()
 	bool setForm(btElasticPlasticForm form);
 	bool setNumThreads(int threads);
 	btElasticPlasticForm getForm() const { return getSettings().m_form; }

@@ -9,8 +9,8 @@
 class btIDebugDraw;
 class btElasticPlasticJoint;
 
-/// Colour of a joint: from green (no load) over yellow to red (yield) by utilisation, both >= 0;
-/// what damage it has (0 to 1) fades it to black.
+/// Colour of a joint: from green (no load) over yellow to red (yield) by its utilisation, fading to black by its damage (0 to
+/// 1). Both are >= 0.
 btVector3 btElasticPlasticColour(btScalar utilisation, btScalar damage);
 
 /// Draws a joint as lines from its position to its bodies' centres and its axes' cross there, in its colour;

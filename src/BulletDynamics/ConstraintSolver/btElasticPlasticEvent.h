@@ -16,7 +16,7 @@ enum btElasticPlasticEventType
 	BT_EP_EVENT_BREAK   ///< its ductility is spent; it has left the world
 };
 
-/// An event, complete in itself but for the objects it points to; the bodies may be gone when it is read from the queue.
+/// An event. The bodies it points to may have been deleted when it is read from the queue.
 struct alignas(16) btElasticPlasticEvent
 {
 	BT_DECLARE_ALIGNED_ALLOCATOR();

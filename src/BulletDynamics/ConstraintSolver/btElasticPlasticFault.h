@@ -10,7 +10,8 @@
 #include "btElasticPlasticDof.h"
 
 /// What is wrong with an input: which quantity, its value, and what it may be.
-/// It travels with the data (section, capacity, joint), so that the place that refuses can name the place that erred.
+/// It is copied along with the data (section, capacity, joint), so that the function that refuses can name the value that is
+/// wrong.
 struct btElasticPlasticFault
 {
 	const char* m_quantity = nullptr;  ///< name and unit, a string literal; null: nothing is wrong

@@ -48,7 +48,7 @@ public:
 	/// Makes the bodies' present pose the one without force, keeping plastic deformation as it is counted.
 	void setReferenceToCurrentPose();
 
-	// ---- what it tells, all as of the last commit
+	// ---- readings, all as of the last commit
 
 	/// Force or moment by the law, stiffness times elastic deformation within the yield value [N], [N m]. It acts on body A
 	/// along the joint's axis and on body B against it: positive axial force is tension. A solver that leaves an error
@@ -97,8 +97,9 @@ public:
 	/// Taken from the bodies by the joint in all [J].
 	double getWork() const;
 
-	/// Rows of the last substep, 0 if the joint had no part in it, and what they were about (see btElasticPlasticStepControl.h):
-	/// degree of freedom, and rate at which the deformation grew before and after [m/s], [rad/s].
+	/// The number of the joint's rows in the last substep, 0 if it had no part in it; and of each row the degree of freedom,
+	/// and the rate at which its deformation grew before and after the substep [m/s], [rad/s]. See
+	/// btElasticPlasticStepControl.h.
 	int getNumCommittedRows() const;
 	void getCommittedRow(int r, int& dof, btScalar& rateBefore, btScalar& rateAfter) const;
 
@@ -128,7 +129,7 @@ public:
 	btTransform getFrameA() const;
 	btTransform getFrameB() const;
 
-	/// Asks a constraint who it is, without run-time type information. \return null if it is not elastic-plastic
+	/// Finds the elastic-plastic joint of a constraint without run-time type information. \return null if it has none
 	static btElasticPlasticJoint* from(btTypedConstraint* constraint);
 
 	btElasticPlasticJoint(const btElasticPlasticJoint&) = delete;
@@ -158,7 +159,7 @@ protected:
 	/// Writes the rows that were counted, beginning at firstRow.
 	void writeElasticPlasticRows(btTypedConstraint::btConstraintInfo2* info, int firstRow);
 
-	/// Answers from(), if it is from() that asks.
+	/// Answers from(). Does nothing if the caller is not from().
 	void answer(btSolverBody& asked);
 
 private:

@@ -16,7 +16,8 @@ enum btElasticPlasticForm
 /// All settings of btElasticPlasticConstraintSolver, assigned by value.
 struct btElasticPlasticSolverSettings
 {
-	/// To be chosen once: what iterations have left unsolved is strain that the direct form takes seriously.
+	/// To be chosen once: iterations that have not converged leave strain in the joints, to which the direct form gives its
+	/// full force.
 	btElasticPlasticForm m_form = BT_EP_DIRECT;
 
 	/// How many threads solve islands at the same time, the calling one included, 1 to MAX_THREADS. For small islands with
@@ -26,11 +27,11 @@ struct btElasticPlasticSolverSettings
 
 	// ---- the direct form
 
-	/// The longest search for the rows at their bounds in Newton steps, >= 0. An island that takes more is left to the
+	/// The most Newton steps of the search for the rows at their bounds, >= 0. An island that takes more is left to the
 	/// iterative form, and the statistics count it (btElasticPlasticStatistics::m_fallbacks).
 	int m_maxNewtonSteps = 200;
 
-	/// Rounds that make contacts as hard as they are, >= 0: each gains about two digits.
+	/// The most rounds of the augmented Lagrangian that makes contacts hard, >= 0: each gains about two digits.
 	int m_maxContactLoops = 20;
 
 	/// Contacts are exact when what they still slip or penetrate is below this, relative to the fastest approach, > 0.

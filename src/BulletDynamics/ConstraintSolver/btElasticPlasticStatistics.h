@@ -4,7 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_STATISTICS_H
 #define BT_ELASTIC_PLASTIC_STATISTICS_H
 
-/// What solving directly took, summed over calls: reset before a step to read what that step took.
+/// The cost of direct solutions, summed over calls. Reset the sums before a step to read the cost of that step.
 struct btElasticPlasticStatistics
 {
 	long long m_islands = 0;

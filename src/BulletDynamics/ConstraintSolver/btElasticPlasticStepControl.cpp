@@ -16,17 +16,17 @@ using namespace btElasticPlastic;
 namespace
 {
 const int MAX_LEVEL = btElasticPlasticStepControl::MAX_LEVEL;
-/// How many steps have to leave little open before the substep is doubled.
+/// The number of successive steps that have to leave little open before the substep is doubled.
 const int CALM_STEPS = 6;
 /// Below this share of the error allowed a step has left little open: with T falling as the square of the substep, twice the
 /// substep stays below half of it.
 const double CALM_SHARE = 1. / 8;
-/// Below this share of the error a substep leaves next to nothing open, and need not last to be doubled.
+/// Below this share of the error a substep leaves next to nothing open, and the next one is doubled at once.
 const double NOTHING_SHARE = 1. / 1000;
-/// Twice the substep has four times the T.
+/// Below this share of the error the search doubles the substep: twice the substep has four times the T.
 const double SEARCH_SHARE = 1. / 4;
 
-/// Takes the world's error reduction down in proportion to the substep, and gives it back.
+/// Reduces the world's error reduction in proportion to the substep, and restores it.
 class ErrorReduction
 {
 public:
@@ -94,7 +94,7 @@ void btElasticPlasticStepControl::setError(double error)
 
 void btElasticPlasticStepControl::expectBlow()
 {
-	// What a blow does in its first moment is not known before, and a substep that was too long cannot be taken back.
+	// The effect of a blow in its first moment is not known beforehand, and a substep that was too long cannot be undone.
 	m_works->refine(MAX_LEVEL);
 	m_works->m_isSearching = true;
 }
@@ -150,8 +150,9 @@ void btElasticPlasticStepControl::Works::markJoined(const btDynamicsWorld& world
 	}
 }
 
-/// A swing has moments at which it leaves little open, and every change of the step takes energy out of it: calm is what has
-/// lasted, or what leaves next to nothing. Substeps begin at multiples of their length, so that the step ends with a whole one.
+/// An oscillation has moments at which a substep leaves little open, and every change of the substep dissipates some of its
+/// energy. The substep is therefore doubled only if it has left little open for some time, or if it leaves next to nothing.
+/// Substeps begin at multiples of their length, so that the step ends with a whole one.
 void btElasticPlasticStepControl::Works::chooseLevel()
 {
 	const double share = m_openWork.getShare(), mendable = m_openWork.getMendableShare();

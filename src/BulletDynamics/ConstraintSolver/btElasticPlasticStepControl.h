@@ -6,13 +6,14 @@
 
 #include "btElasticPlasticAction.h"
 
-/// Chooses the substeps of a world by what they leave open: fine while something yields or is about to, coarse else.
+/// Chooses the substeps of a world by what they leave open: short ones while something yields or is about to, else long ones.
 ///
 /// After each substep an estimate T tells how much of the energy at play it has left open; it is of the size of the error in
 /// how much flows, or above it (docs/performance.md). The substep is made so short that T stays below the error allowed, and
-/// doubled after some steps of calm. Elastic motion far from yield asks for nothing: where a structure comes to rest does not
-/// depend on the step. Before bodies meet of which one is joined the substep is made as fine as for what yields, and finer where
-/// they would go further in it than a twentieth of the smaller one's least edge.
+/// doubled after some steps with a small T. Elastic motion far from yield does not shorten it: where a structure comes to
+/// rest does not depend on the step. Before two bodies meet, of which at least one is joined, the substep is made as short as
+/// where something yields, and shorter if they would otherwise go further in it than a twentieth of the smaller one's least
+/// edge.
 class btElasticPlasticStepControl
 {
 public:
@@ -34,7 +35,7 @@ public:
 	/// \return how many substeps; 0, and nothing happens, if dt is not a positive number
 	int step(btDynamicsWorld& world, btElasticPlasticAction& action, btScalar dt);
 
-	// ---- the same piece by piece, for those who do something between substeps
+	// ---- the parts of step(), for those who do something between substeps
 
 	/// Begins a step of dt > 0 [s].
 	void begin(btScalar dt);
@@ -56,9 +57,9 @@ public:
 	/// How many substeps of the present length make a step.
 	int getSubsteps() const;
 
-	/// Begins anew with the finest substep, and doubles it as long as that leaves little open: for a blow that the world does not
-	/// show, as an impulse, or a load that comes or goes at once. Without it the first step takes such a load for a slow one.
-	/// Worlds begin with it; it costs some ten substeps.
+	/// Begins again with the shortest substep, and doubles it as long as that leaves little open. To be called before a blow
+	/// that the world does not show, such as an impulse, or a load that comes or goes suddenly: otherwise the first step
+	/// treats it as a slow load. A world begins this way by itself. It costs some ten substeps.
 	void expectBlow();
 
 	/// Most substeps of a step that can be: 1 << MAX_LEVEL.

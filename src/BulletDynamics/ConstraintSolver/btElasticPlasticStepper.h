@@ -15,12 +15,12 @@
 ///     puts(stepper.getText());
 ///     ... each frame: stepper.step();
 ///
-/// What is left out comes back when the running scene needs it: substeps when something is about to yield or to be hit. What
-/// stays is told with its price, as measured (docs/performance.md).
+/// Substeps that are left out come back when something is about to yield or to be hit. The text names the measured cost of
+/// what is kept (docs/performance.md).
 class btElasticPlasticStepper
 {
 public:
-	/// The world as it stands now, with its joints; what comes later is stepped as well, but not told.
+	/// Describes the world as it is now, with its joints. What is added later is stepped as well, but not described.
 	/// \param solver  the world's, set to its direct form; null: the world has one of Bullet's, which stays as it is
 	/// \param error   allowed in how much flows, relative: see btElasticPlasticStepControl
 	/// \param step    of the game [s], > 0

@@ -10,15 +10,16 @@ class btRigidBody;
 
 namespace btElasticPlastic
 {
-/// Is all that a solver multiplies with a body's rows a finite number: place, orientation, velocities, loads, mass, inertia,
-/// factors? A body that something else made NaN must not take its neighbours with it.
+/// Whether all numbers of a body that enter a solver's rows are finite: position, orientation, velocities, loads, mass,
+/// inertia, factors. A body that has become NaN must not spread that to its neighbours.
 bool isFinite(const btRigidBody& body);
 
-/// A body that moves is in no world.
+/// \return a fault if a body that can move is in no world
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA);
 
-/// What keeps a body's joints out of the present step: it is not finite, or moves and is in no world, or has no inertia.
-/// \param isBodyA   whether it is the joint's first one, for the fault's text
+/// \return the fault of a body that keeps its joints out of the present step: it is not finite, or it can move and is in no
+/// world or has no inertia
+/// \param isBodyA   whether it is the joint's first body, for the fault's text
 /// \param isTurned  whether the joint bears moments
 btElasticPlasticFault findBodyFault(const btRigidBody& body, bool isBodyA, bool isTurned);
 }  // namespace btElasticPlastic

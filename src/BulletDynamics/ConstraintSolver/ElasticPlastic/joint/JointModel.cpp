@@ -25,7 +25,7 @@ RelativeRotation JointModel::relativeRotation() const
 
 namespace
 {
-/// A frame's axes may be off by so much, in length and angle; rounding and careless normalisation are less.
+/// A frame's axes may deviate from unit length and right angles by this much; rounding and careless normalisation deviate less.
 const btScalar FRAME_TOLERANCE = btScalar(1e-3);
 
 bool isFrame(const btTransform& frame)
@@ -126,7 +126,7 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
 	m_hasReference = true;
 }
 
-/// Degrees of freedom that were free for a while and hold again do so where they stand.
+/// Makes the present pose the reference of degrees of freedom that were free until now: they hold where the bodies are.
 void JointModel::takePoseAsReference(unsigned dofs)
 {
 	Kinematics now;
@@ -146,8 +146,8 @@ void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
 		turnReference(deformation);
 }
 
-/// A spring that is exchanged for another under load keeps its force: its elastic deformation becomes the new spring's. What it
-/// holds more or less counts as numerical energy.
+/// A degree of freedom whose stiffness changes under load keeps its force, and its elastic deformation follows. The change of
+/// its elastic energy counts as numerical energy.
 void JointModel::keepForce(const btElasticPlasticCapacity& before)
 {
 	btScalar change[BT_EP_DOF_COUNT] = {};
@@ -164,8 +164,8 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 	moveReference(change);
 }
 
-/// Frames that meet up to the rounding of their coordinates are meant to meet: in float half a micrometre on a metre would
-/// be a force in a stiff joint. A larger misfit is the user's, and loads the joint.
+/// Frames that coincide up to the rounding of their coordinates are meant to coincide: in float, half a micrometre in a metre
+/// would be a noticeable force in a stiff joint. A larger misfit is intended by the user, and loads the joint.
 void JointModel::takeRoundingAsReference()
 {
 	const btScalar size = bodyA().getCenterOfMassPosition().length() + m_frameInA.getOrigin().length() +
@@ -173,7 +173,7 @@ void JointModel::takeRoundingAsReference()
 	Kinematics now;
 	measure(now);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		// Eight roundings lie between the world's coordinates and a strain.
+		// A strain is computed from the world's coordinates with eight roundings of half SIMD_EPSILON each.
 		if (btFabs(now.m_strain[i]) > 4 * SIMD_EPSILON * (i < 3 ? size : 1))
 			return;
 	setReferenceToCurrentPose();

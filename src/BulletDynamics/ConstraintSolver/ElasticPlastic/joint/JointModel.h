@@ -11,7 +11,7 @@
 
 namespace btElasticPlastic
 {
-/// What a joint is between steps: two bodies and their frames, what they bear, and what has become of it.
+/// A joint between steps: its two bodies and frames, its capacity, and its state.
 struct JointModel
 {
 	btTypedConstraint& m_constraint;
@@ -44,17 +44,17 @@ struct JointModel
 	/// What keeps the joint out of the simulation until it is set anew: a fault of its capacity, its frames or its bodies.
 	btElasticPlasticFault findFault() const;
 
-	/// A body that moves has to be in a world before it can be joined.
+	/// \return a fault if a body that can move is in no world: it has to be added to one before it can be joined
 	btElasticPlasticFault findMissingWorld() const;
 
-	/// What keeps it out of the present step: a fault of one of its bodies.
+	/// What keeps the joint out of the present step: a fault of one of its bodies.
 	btElasticPlasticFault findStepFault() const;
 
-	/// May the joint's state become this one?
+	/// Whether a state is a possible one of this joint.
 	bool accepts(const btElasticPlasticState& state) const;
 
-	/// Makes the degrees of freedom that the capacity has elastic-plastic, and the pose the reference of those that are so for
-	/// the first time since they were free.
+	/// Makes those degrees of freedom elastic-plastic that have a yield value in m_capacity. Those of them that were free
+	/// until now take the present pose for their reference.
 	/// \param former  the capacity before
 	void takeCapacity(const btElasticPlasticCapacity& former);
 
@@ -65,7 +65,8 @@ struct JointModel
 	/// \param increment  of all degrees of freedom, of which the rotations are used
 	void turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
 
-	/// Takes deformation out of the elastic one at the present pose, without counting it as plastic [m], [rad].
+	/// Reduces the elastic deformation at the present pose by moving the reference, without counting that as plastic [m],
+	/// [rad].
 	void moveReference(const btScalar deformation[BT_EP_DOF_COUNT]);
 
 	btScalar elasticDeformation(int dof) const

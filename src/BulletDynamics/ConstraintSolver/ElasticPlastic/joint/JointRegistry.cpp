@@ -33,9 +33,9 @@ bool joins(const btTypedConstraint& constraint, const btRigidBody& body)
 	return &constraint.getRigidBodyA() == &body || &constraint.getRigidBodyB() == &body;
 }
 
-/// From so many joints on they no longer fit the second level of a processor's cache.
+/// With more joints than this their data no longer fits the second level of a processor's cache.
 const int MANY_JOINTS = 500;
-/// How many joints ahead of the present one are asked for.
+/// The number of joints ahead of the present one whose data is prefetched.
 const int AHEAD = 4;
 }  // namespace
 
@@ -69,7 +69,7 @@ bool JointRegistry::add(JointWorks& joint)
 	joint.setFault(joint.m_model.findFault());
 	if (!joint.m_model.m_fault)
 		joint.setFault(joint.m_model.findMissingWorld());
-	// Bullet's search for islands crashes over a constraint whose body has never been in the world.
+	// Bullet's search for islands crashes on a constraint one of whose bodies has never been in the world.
 	joint.setOutOfIslands(bool(joint.m_model.findMissingWorld()));
 	joint.forgetUncommitted();
 	joint.m_step.revert();
@@ -103,7 +103,7 @@ void JointRegistry::remove(JointWorks& joint)
 	const int index = joint.m_entry.m_index;
 	if (index < m_joints.size() && m_joints[index].m_joint == &joint)
 	{
-		// Closing the gap waits: a world of 20000 joints may be taken down one by one.
+		// The gap is closed later: closing it for each of 20000 joints that are removed one by one would take quadratic time.
 		m_joints[index].m_joint = nullptr;
 		m_hasGaps = true;
 	}
@@ -142,7 +142,7 @@ bool JointRegistry::repair(JointWorks& joint)
 		const Entry entry = m_broken[i];
 		if (entry.m_joint != &joint)
 			continue;
-		// Bodies that are in no world: it is gone, or they have left it.
+		// A body without a broadphase handle is in no world: it has left its world, or that has been deleted.
 		const btRigidBody* const bodies[2] = {&joint.m_model.bodyA(), &joint.m_model.bodyB()};
 		for (const btRigidBody* body : bodies)
 			if (body->getInvMass() > 0 && !body->getBroadphaseHandle())
@@ -229,7 +229,8 @@ void JointRegistry::commitJoints()
 	}
 }
 
-/// Backwards: Bullet fills the gap of a removed constraint with its last one, and this way its list keeps its order.
+/// Removes the last constraints first. Bullet fills the gap of a removed constraint with its last one; removed in this order,
+/// the constraints that stay keep their order.
 void JointRegistry::removeBrokenFromWorld(btDynamicsWorld& world, int firstBroken)
 {
 	for (int i = m_broken.size() - 1; i >= firstBroken; --i)
@@ -301,7 +302,7 @@ void JointRegistry::report(btElasticPlasticEventType type, const JointWorks& wor
 	event.m_energy = joint.getPlasticEnergy() + joint.getElasticEnergy();
 	event.m_time = m_time;
 	joint.getUtilisation(&event.m_dof);
-	// Where nothing is applied, what has flowed is the degree of freedom.
+	// If no force is applied, the decisive degree of freedom is the one with the largest damage, as in a break.
 	if (type == BT_EP_EVENT_BREAK || !btElasticPlasticIsDof(event.m_dof))
 	{
 		event.m_dof = 0;
@@ -324,7 +325,8 @@ bool JointRegistry::popEvent(btElasticPlasticEvent& event)
 	return false;
 }
 
-/// One by one from the queue: a listener may delete joints, which takes their events out of it, and the action itself.
+/// Takes events from the queue one by one: the listener may delete joints, whose events then leave the queue, and the action
+/// itself.
 void JointRegistry::deliver()
 {
 	bool isDeleted = false;

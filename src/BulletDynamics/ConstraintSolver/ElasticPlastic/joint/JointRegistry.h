@@ -17,8 +17,8 @@ namespace btElasticPlastic
 {
 class JointWorks;
 
-/// What stands behind a btElasticPlasticAction: the joints of a world, which of them are broken, and what is to be told of them.
-/// It owns nothing.
+/// The implementation of btElasticPlasticAction: the joints of a world, which of them are broken, and their events. It owns
+/// no joints.
 class JointRegistry
 {
 public:
@@ -36,15 +36,15 @@ public:
 	int getNumBroken() const { return m_broken.size(); }
 	JointWorks& getJoint(int index);
 
-	/// Joints whose bodies are in the world: a user may have taken a joint out of it and deleted its bodies. Before the first step,
-	/// all of them. To be called while the world exists.
+	/// Finds the joints whose bodies are in the world, as a user may have taken a joint out of it and deleted its bodies.
+	/// Before the first step it finds all joints. To be called only while the world exists.
 	void findDrawable(btAlignedObjectArray<JointWorks*>& joints);
 
 	void setListener(btElasticPlasticListener* listener) { m_listener = listener; }
 	bool popEvent(btElasticPlasticEvent& event);
 	double getTime() const { return m_time; }
 
-	/// Tells the listener that a joint was refused; without one, the standard error output.
+	/// Tells the listener that a joint was refused; without a listener, prints the text to the standard error output.
 	void refuse(btElasticPlasticJoint& joint, const char* text);
 
 	/// Ends a substep: commits every joint, takes broken ones out of the world, and tells of events.
@@ -71,17 +71,17 @@ private:
 
 	btAlignedObjectArray<Entry> m_joints;
 	btAlignedObjectArray<Entry> m_broken;
-	btAlignedObjectArray<btElasticPlasticEvent> m_events;  ///< read up to m_nextEvent; without a joint: forgotten
+	btAlignedObjectArray<btElasticPlasticEvent> m_events;  ///< up to m_nextEvent they are read; void without a joint
 	int m_nextEvent = 0;
 	btElasticPlasticListener* m_listener = nullptr;
-	std::recursive_mutex m_refusal;      ///< the threads of a solver refuse joints too
-	btDynamicsWorld* m_world = nullptr;  ///< that was stepped last
+	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
+	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;
 	bool m_hasGaps = false;       ///< entries of m_joints without a joint
 	int m_numSeparations = 0;     ///< broken joints whose bodies still overlap
 	WorldToken m_token;           ///< in the world while there are any
 	bool* m_isDeleted = nullptr;  ///< set by the destructor while events are delivered
-	bool m_isStepTold = false;    ///< that a step was not finite or not above 0
+	bool m_isStepTold = false;    ///< whether the listener was told of a bad step
 };
 }  // namespace btElasticPlastic
 

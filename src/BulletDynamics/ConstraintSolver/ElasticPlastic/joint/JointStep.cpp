@@ -41,7 +41,8 @@ int JointStep::prepare()
 	return m_numRows;
 }
 
-/// A kinematic body already stands where the step will take it, and has the velocity that brought it there.
+/// Takes the motion of kinematic bodies out of the measured strain. A kinematic body is already where the step will take it,
+/// and its velocity is the one that brought it there: the step would count this motion a second time.
 void JointStep::takeBackKinematicMotion()
 {
 	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
@@ -93,11 +94,13 @@ bool JointStep::evaluate(btScalar dt)
 	return true;
 }
 
-/// The strain that is measured is the law's, force over stiffness, and what the step's straight motion has left beside it: a body
-/// that turns about a joint leaves its circle by r (w dt)^2 / 2 in every step. At an even step the law takes it back with a part of
-/// the force that holds the body on its circle. A shorter step would take the whole of it back in its shorter time, with many times
-/// that force, and a stiff joint would yield at rest. So a step that is shorter by a factor s meets s^2 of it, what it will leave
-/// itself, and the rest is given up: the joint's reference moves by it at the step's end.
+/// Takes that part of the drift out of the strain that a shorter step must not correct.
+///
+/// The measured strain is the law's elastic deformation, force over stiffness, and a drift: in a step of straight motion a
+/// body that turns about a joint leaves its circle by r (w dt)^2 / 2. With a constant step the law corrects the drift with a
+/// part of the force that keeps the body on its circle. A shorter step would correct all of it in its shorter time, with many
+/// times that force, and a stiff joint would yield under hardly any load. Therefore a step that is shorter by a factor s
+/// keeps s^2 of the drift, as much as it leaves itself. The joint's reference moves by the rest at the end of the step.
 void JointStep::takeBackDrift()
 {
 	const btScalar last = m_model.m_state.m_lastStep;
@@ -196,7 +199,8 @@ ReturnMapping JointStep::returnMap(const Row& row) const
 	outcome.m_impulse = row.m_impulse;
 	outcome.m_lower = row.m_lower;
 	outcome.m_upper = row.m_upper;
-	// The step's own axes: strain read from the turned configuration would count the turning as strain.
+	// The trial deformation is along the axes at the start of the step: measured in the turned configuration, the turn would
+	// count as strain.
 	outcome.m_trial = s.m_strain - m_dt * row.m_velocity1;
 	outcome.m_bound = m_lastBound[row.m_dof];
 	outcome.m_isBoundKnown = row.m_isBoundKnown;
@@ -219,7 +223,7 @@ int JointStep::commit()
 	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
 	const btVector3 linear =
 		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
-	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {};
+	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {}, unloaded[BT_EP_DOF_COUNT] = {};
 	project(linear, wA - wB, velocity1);
 
 	btElasticPlasticState& state = m_model.m_state;
@@ -237,6 +241,7 @@ int JointStep::commit()
 		state.m_applied[i] = row.m_impulse * rate;
 		// The work of an impulse on the bodies is exactly impulse times mean velocity.
 		work += double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
+		unloaded[i] = mapped.m_unloaded;
 		if (mapped.m_increment == 0)
 			continue;
 		increment[i] = mapped.m_increment;
@@ -249,6 +254,7 @@ int JointStep::commit()
 	state.m_lastStep = m_dt;
 	state.m_work -= 0.5 * work;
 	revert();
+	m_model.moveReference(unloaded);
 	if (!flowed)
 		return NOTHING;
 	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)

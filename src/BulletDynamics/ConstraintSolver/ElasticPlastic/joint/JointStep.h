@@ -18,7 +18,8 @@ struct JointRows
 		int m_dof;
 		btScalar m_diagonal;  ///< A = J M^-1 J^T
 		SoftRow m_soft;
-		signed char m_bound;  ///< at which the row ended when a direct solver saw it last (-1, 0, 1): a first guess
+		signed char
+			m_bound;  ///< the bound at which the row ended in the last direct solution (-1, 0, 1), a first guess
 	};
 
 	Kinematics m_kinematics;  ///< gives the Jacobians
@@ -66,7 +67,8 @@ public:
 		m_row[r].m_isBoundKnown = false;
 	}
 
-	/// From a solver that knows which rows are at a bound.
+	/// The same for a solver that knows which rows are at a bound.
+	/// \param bound  -1 at the lower, 1 at the upper bound, 0 between
 	void setImpulse(int r, btScalar impulse, int bound)
 	{
 		m_row[r].m_impulse = impulse;
@@ -81,7 +83,7 @@ public:
 	/// Impulses as a force and a torque about the joint's common point [N], [N m], on body A.
 	void getLoad(btVector3& force, btVector3& torque) const;
 
-	/// What a commit brought about, a set of bits.
+	/// What happened to the joint in a step, a set of bits.
 	enum Outcome
 	{
 		NOTHING = 0,
@@ -111,7 +113,7 @@ private:
 	{
 		btScalar m_lower, m_upper;  ///< bounds of the impulse
 		btScalar m_velocity0;       ///< J v at the start of the step
-		btScalar m_velocity1;       ///< and at its end, once committed
+		btScalar m_velocity1;       ///< J v at the end of the step, once committed
 		btScalar m_impulse;
 		int m_dof : 8;
 		bool m_isBoundKnown;
@@ -130,7 +132,8 @@ private:
 	int m_numCommittedRows = 0;
 	btScalar m_dt = 0;
 	bool m_hasDrift = false;
-	btScalar m_drift[BT_EP_DOF_COUNT];  ///< strain that this step takes out of the joint, see takeBackDrift()
+	btScalar
+		m_drift[BT_EP_DOF_COUNT];  ///< strain by which the reference moves at the end of the step, see takeBackDrift()
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step
 	Kinematics m_kinematics;
@@ -144,7 +147,7 @@ class Diagonal
 public:
 	Diagonal(const btRigidBody& a, const btRigidBody& b);
 
-	/// Of a row along an axis with these moments about the bodies' centres of mass.
+	/// A of a row along an axis that has these moments about the bodies' centres of mass.
 	btScalar along(const btVector3& momentA, const btVector3& momentB) const
 	{
 		return m_inverseMass + momentA.dot(m_a * momentA) + momentB.dot(m_b * momentB);

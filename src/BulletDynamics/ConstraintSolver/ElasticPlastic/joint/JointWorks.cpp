@@ -17,7 +17,7 @@ namespace btElasticPlastic
 
 namespace
 {
-/// Goes where a solver would pass a body. Its m_originalBody points to something that no caller can reach.
+/// Passed by from() in place of a solver body. Its m_originalBody points to a mark that no other caller can have.
 struct Question : btSolverBody
 {
 	JointWorks* m_answer = nullptr;
@@ -32,7 +32,8 @@ JointWorks* JointWorks::from(btTypedConstraint* constraint)
 	const btTypedConstraintType type = constraint->getConstraintType();
 	if (type != D6_SPRING_CONSTRAINT_TYPE && type != D6_SPRING_2_CONSTRAINT_TYPE)
 		return nullptr;
-	// Both of Bullet's classes inherit an empty solveConstraintObsolete: only ours answers.
+	// solveConstraintObsolete() is empty in both of Bullet's classes; only btElasticPlasticConstraint overrides it, and
+	// answers.
 	Question question;
 	question.m_originalBody = signOfQuestion();
 	constraint->solveConstraintObsolete(question, question, 0);
@@ -96,7 +97,7 @@ bool JointWorks::needsRegistry() const
 	return m_model.m_dofs && !m_model.m_fault && (!m_entry.m_registry || m_numUncommitted > 2);
 }
 
-/// Without its commits the joint would be a wrong spring that never yields.
+/// Refuses a joint that nobody commits: it would be a spring that never yields.
 void JointWorks::refuseWithoutRegistry()
 {
 	setFault(m_entry.m_registry ? btElasticPlasticFault("number of commits in the last three substeps", 0,
@@ -109,7 +110,7 @@ void JointWorks::refuseWithoutRegistry()
 
 void JointWorks::buildJacobian()
 {
-	// Bullet's own solvers tell impulses only through a feedback.
+	// Bullet's own solvers report impulses only in a joint feedback.
 	if (m_nextRequest == WHOLE_ROWS)
 		m_feedback.attach(m_model.m_constraint);
 	m_separation.holdOverlap(m_model.m_constraint);
@@ -129,7 +130,7 @@ int JointWorks::prepare()
 	return m_request == NO_ROWS ? 0 : rows;
 }
 
-/// May the joint take part in the present step? If not, its owner is told, once for as long as it lasts.
+/// Whether the joint may take part in the present step. If not, the listener is told, once for as long as the fault lasts.
 bool JointWorks::passesGate()
 {
 	const btElasticPlasticFault fault = m_model.findStepFault();
@@ -177,11 +178,11 @@ void JointWorks::writeRows(btTypedConstraint::btConstraintInfo2* info, int first
 {
 	if (m_request == NO_ROWS)
 		return;
-	// Copies of what the compiler would read again after every write.
+	// Local copies, which the compiler need not read again after every write to the rows.
 	const int rows = m_step.getNumRows(), skip = info->rowskip;
 	if (!m_step.evaluate(1 / info->fps))
 	{
-		// Rows of zeros, as Bullet has left them.
+		// Bullet has filled the rows with zeros; with bounds of zero they do nothing.
 		for (int s = firstRow * skip, r = 0; r < rows; ++r, s += skip)
 			info->m_lowerLimit[s] = info->m_upperLimit[s] = 0;
 		return;

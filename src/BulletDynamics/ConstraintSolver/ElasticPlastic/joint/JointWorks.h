@@ -19,14 +19,16 @@ class JointRegistry;
 struct RegistryEntry
 {
 	JointRegistry* m_registry = nullptr;  ///< null: no action knows the joint
-	int m_index = 0;                      ///< of whole joints: those that were added earlier come first
+	int m_index = 0;  ///< among joints that are not broken; those that were added earlier come first
 };
 
-/// What stands behind a btElasticPlasticJoint, together in memory: the model, its step, and how they meet Bullet and the action.
+/// The implementation of btElasticPlasticJoint, together in memory: the model, its step, and their connection to Bullet and
+/// to the action.
 ///
-/// A solver that knows elastic-plastic joints goes through two doors. Before the solution, beginAlone() and the step's begin()
-/// give it rows; after it, finishAlone() takes impulses and bounds. Bullet's own solvers go through prepare() and writeRows(),
-/// and their impulses come back by Bullet's joint feedback. commit() ends the step either way.
+/// The direct form gets rows by beginAlone() and the step's begin(), and returns impulses and bounds by finishAlone(). The
+/// iterative form asks for Jacobians by requestJacobians(), and returns impulses by the step's setImpulse(). Bullet's own
+/// solvers get rows by prepare() and writeRows(), and return impulses by Bullet's joint feedback. In every case commit() ends
+/// the step.
 class JointWorks
 {
 public:
@@ -40,40 +42,41 @@ public:
 	JointWorks(const JointWorks&) = delete;
 	JointWorks& operator=(const JointWorks&) = delete;
 
-	/// The works behind a constraint, without run-time type information. \return null if it is not elastic-plastic
+	/// Finds the works of a constraint without run-time type information. \return null if it is not elastic-plastic
 	static JointWorks* from(btTypedConstraint* constraint);
 
 	// ---- for Bullet's class
 
-	/// Before Bullet asks for rows.
+	/// Called before Bullet asks for rows.
 	void buildJacobian();
 
 	/// Begins a step. \return number of rows that Bullet is to hold
 	int prepare();
 
-	/// Has Bullet's class rows beside the elastic-plastic ones in the step that prepare() has begun?
+	/// Whether Bullet's class has rows besides the elastic-plastic ones in the step that prepare() has begun.
 	bool hasBaseRows() const;
 
 	/// Writes the rows that prepare() counted, beginning at firstRow.
 	void writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow);
 
-	/// Answers from(), if it is from() that asks.
+	/// Answers from(). Does nothing if the caller is not from().
 	void answer(btSolverBody& asked);
 
 	// ---- for solvers
 
-	/// The iterative form's way: Bullet gets Jacobians in the next step, the laws are the solver's to ask for. It gives impulses
-	/// back by the step's setImpulse().
+	/// For the iterative form: in the next step Bullet gets only Jacobians, and the solver itself asks for the laws by the
+	/// step's makeRow(). It returns impulses by the step's setImpulse().
 	void requestJacobians();
 
-	/// The direct form's way: Bullet sees no rows of the joint in this step. Saves the way through Bullet, which would ask
-	/// three times more of a constraint.
-	/// \return false if Bullet's class has rows too, or the overlap of broken joints to hold: then Bullet has to prepare it
+	/// For the direct form: begins a step in which Bullet sees no rows of the joint. This saves Bullet's three calls for each
+	/// constraint.
+	/// \return false if Bullet has to prepare the joint all the same, because its class has rows, too, or because the joint
+	/// is broken and its bodies still overlap
 	bool beginAlone();
 
-	/// Ends the solution begun by beginAlone(): does with the impulses what Bullet does for rows that it holds: the user's
-	/// feedback, Bullet's applied impulse and breaking threshold.
-	/// \param impulses, bounds  by the step's rows; a bound is -1, 0 or 1
+	/// Ends the solution begun by beginAlone(). Does with the impulses what Bullet does for its own rows: it fills the user's
+	/// feedback, sets Bullet's applied impulse, and applies Bullet's breaking threshold.
+	/// \param impulses, bounds  of the step's rows; a bound is -1, 0 or 1
 	void finishAlone(const double* impulses, const signed char* bounds);
 
 	// ---- for the registry
@@ -84,14 +87,14 @@ public:
 	/// Hides the constraint from Bullet's islands, or shows it again.
 	void setOutOfIslands(bool isOut);
 
-	/// Begins anew with the count of substeps that nobody committed.
+	/// Sets the number of substeps that nobody has committed to zero.
 	void forgetUncommitted() { m_numUncommitted = 0; }
 
 	void setFault(const btElasticPlasticFault& fault);
 
-	/// Tells of m_model.m_fault: to a registry's listener or, without one, on the standard error output.
+	/// Reports m_model.m_fault to a registry's listener or, without a registry, on the standard error output.
 	void tellFault(JointRegistry* registry);
-	/// The same to the joint's own registry, if it has not been told since it was found.
+	/// Reports m_model.m_fault to the joint's own registry, unless it has been reported since it was found.
 	void tellFaultOnce();
 
 	/// "joint 'name' (id i) at (x, y, z): quantity is value; it must be range", always terminated.
@@ -102,7 +105,7 @@ public:
 	JointStep m_step;
 	RegistryEntry m_entry;
 	Separation m_separation;
-	int m_islandId = 0;  ///< by which a direct solver knows the joint's island again; 0: none
+	int m_islandId = 0;  ///< the id by which the direct form finds the kept factor of the joint's island; 0: none
 
 private:
 	/// What Bullet sees of the joint in a step.
@@ -121,10 +124,11 @@ private:
 
 	Request m_request = WHOLE_ROWS;      ///< of this step
 	Request m_nextRequest = WHOLE_ROWS;  ///< of the next one
-	int m_numUncommitted = 0;            ///< substeps in a row that nobody committed
+	int m_numUncommitted = 0;            ///< number of successive substeps that nobody has committed
 	bool m_isFaultTold = true;
-	bool m_isStepFaultTold = false;  ///< the fault that keeps the joint out of the present steps
-	bool m_isLeftOut = false;        ///< of the present step
+	bool m_isStepFaultTold =
+		false;                 ///< whether the fault that keeps the joint out of the present step has been reported
+	bool m_isLeftOut = false;  ///< of the present step
 	bool m_isOutOfIslands = false;
 	StockFeedback m_feedback;
 };

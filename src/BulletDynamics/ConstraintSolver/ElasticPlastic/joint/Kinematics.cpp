@@ -7,21 +7,22 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// exp(log(q) / 2): half of the rotation, along the way that the quaternion's sign tells.
+/// exp(log(q) / 2): half of the rotation. The quaternion's sign tells which of the two ways round is halved.
 btQuaternion halfOf(const btQuaternion& q)
 {
 	btQuaternion h(q.x(), q.y(), q.z(), q.w() + 1);
 	const btScalar length2 = h.length2();
-	// A full turn has no half of its own direction: any axis at a right angle to none will do.
+	// The quaternion of a full turn, -1, does not tell its axis; its half is a half turn about any axis.
 	if (length2 < btScalar(1e-12))
 		return btQuaternion(1, 0, 0, 0);
 	return h * (1 / btSqrt(length2));
 }
 
-/// Is it exactly no rotation? The scalar part alone does not tell: in float it is 1 up to half a milliradian.
+/// Whether a quaternion is exactly no rotation. The scalar part alone does not tell: in float it is 1 up to half a milliradian.
 bool isNone(const btQuaternion& q) { return btFabs(q.x()) + btFabs(q.y()) + btFabs(q.z()) == 0; }
 
-/// R v in double whatever Bullet's precision: the separation of the frames is a thousandth of what it is the difference of.
+/// R v in double whatever Bullet's precision: the distance of the frames is the difference of two such vectors, and a
+/// thousandth of their length or less.
 struct Arm
 {
 	double m_world[3];
@@ -83,7 +84,7 @@ btQuaternion exponential(const btVector3& rotation)
 
 namespace
 {
-/// R, nearest to the plastic rotation.
+/// The quaternion of R; of the two possible ones, the one nearer to the plastic rotation.
 btQuaternion relativeOf(const btMatrix3x3& basisA, const btMatrix3x3& basisB, const btQuaternion& plasticRotation)
 {
 	btQuaternion relative;
@@ -99,15 +100,15 @@ btQuaternion middleOf(const btQuaternion& elasticTurn, const btQuaternion& plast
 }  // namespace
 
 RelativeRotation::RelativeRotation(const btMatrix3x3& basisA, const btMatrix3x3& basisB,
-										   const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle)
+								   const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle)
 	: m_relative(relativeOf(basisA, basisB, plasticRotation)),
 	  m_middle(middleOf(m_relative * plasticRotation.inverse(), plasticMiddle))
 {
 }
 
 void Kinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
-										  const btTransform& frameB, const btVector3& plasticOffset,
-										  const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle)
+						  const btTransform& frameB, const btVector3& plasticOffset,
+						  const btQuaternion& plasticRotation, const btQuaternion& plasticMiddle)
 {
 	const btMatrix3x3 basisA = bodyA.getBasis() * frameA.getBasis(), basisB = bodyB.getBasis() * frameB.getBasis();
 	const btQuaternion relative = relativeOf(basisA, basisB, plasticRotation);

@@ -8,18 +8,18 @@
 
 namespace btElasticPlastic
 {
-/// How a joint's other frames stand in frame A.
+/// The rotations of a joint's frame B and mid frame relative to frame A.
 struct RelativeRotation
 {
-	btQuaternion m_relative;  ///< frame B: R, nearest to the plastic rotation
-	btQuaternion m_middle;    ///< the mid frame
+	btQuaternion m_relative;  ///< R, of frame B; of its two quaternions the one nearer to the plastic rotation
+	btQuaternion m_middle;    ///< of the mid frame
 
 	/// \param basisA, basisB  of the joint's frames, world coordinates; the others as for evaluate() below
 	RelativeRotation(const btMatrix3x3& basisA, const btMatrix3x3& basisB, const btQuaternion& plasticRotation,
-						 const btQuaternion& plasticMiddle);
+					 const btQuaternion& plasticMiddle);
 };
 
-/// Where a joint stands: its axes and its elastic deformation.
+/// The axes, arms and elastic deformation of a joint at a pose of its bodies.
 ///
 /// Frames A and B are the joint's frames on its two bodies, R = R_A^T R_B their relative rotation. The axes are the columns of
 /// the mid frame R_A P exp(e / 2): P, the plastic middle, is half of the plastic rotation, summed increment by increment.

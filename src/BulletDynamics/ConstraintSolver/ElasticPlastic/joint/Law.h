@@ -68,7 +68,7 @@ inline SoftRow implicitRow(const DofState& s, btScalar diagonal, btScalar dt)
 {
 	const btScalar a = s.m_stiffness * dt * dt * diagonal;
 	// a / (a + 4) written so that a = infinity is no NaN.
-	// A step that changes in time with the swing would feed it; so a changed one dissipates.
+	// Steps that change in phase with an oscillation would feed energy into it; therefore a changed step dissipates.
 	const btScalar change = s.m_lastStep > 0 ? btFabs(dt - s.m_lastStep) / (dt + s.m_lastStep) : btScalar(0);
 	const btScalar gamma = btScalar(0.5) + btMin(btScalar(1), (a > 1 ? 1 / (1 + 4 / a) : a / (a + 4)) + change);
 	const btScalar alpha = (gamma + btScalar(0.5)) * (gamma + btScalar(0.5)) / 4;
@@ -82,9 +82,9 @@ inline SoftRow implicitRow(const DofState& s, btScalar diagonal, btScalar dt)
 	return row;
 }
 
-/// Row that applies a force for the step whatever the velocity: it asks for a velocity that nothing reaches, within bounds from
-/// 0 to the force's impulse. (Both bounds at the impulse would do the same in sequential impulses; btMLCPSolver solves for
-/// Bullet's split impulse with the same bounds and would push the bodies a second time.)
+/// Row that applies a force for the step whatever the velocity: it asks for a velocity that is never reached, within bounds
+/// from 0 to the force's impulse. (Both bounds at the impulse would do the same in sequential impulses; but btMLCPSolver
+/// solves for Bullet's split impulse with the same bounds, and would push the bodies a second time.)
 inline SoftRow explicitRow(btScalar force, btScalar dt)
 {
 	const btScalar unreachable = btScalar(1e6);
@@ -111,8 +111,8 @@ inline SoftRow stockRow(const DofState& s, btScalar diagonal, btScalar dt)
 	return row;
 }
 
-/// Row of a rigid-plastic degree of freedom: no motion until the yield value is reached; what solver error has let it move
-/// comes back with Bullet's error reduction erp (0 to 1 per step).
+/// Row of a rigid-plastic degree of freedom: no motion until the yield value is reached. Motion that a solver's error has let
+/// happen is corrected with Bullet's error reduction erp (0 to 1 per step).
 inline SoftRow rigidRow(btScalar yield, btScalar strain, btScalar erp, btScalar dt)
 {
 	SoftRow row;
@@ -125,8 +125,9 @@ inline SoftRow rigidRow(btScalar yield, btScalar strain, btScalar erp, btScalar 
 /// Outcome of the return mapping.
 struct ReturnMapping
 {
-	btScalar m_force;      ///< at the end of the step, |m_force| <= yield
-	btScalar m_increment;  ///< of plastic deformation
+	btScalar m_force;         ///< at the end of the step, |m_force| <= yield
+	btScalar m_increment;     ///< of plastic deformation
+	btScalar m_unloaded = 0;  ///< deformation beyond yield that no force has opposed: neither plastic nor elastic
 };
 
 /// What a solver has made of a row.
@@ -138,25 +139,31 @@ struct RowOutcome
 	btScalar m_trial;     ///< deformation if the whole step was elastic: e* = e_n - dt J v1
 	signed char m_bound;  ///< -1 at the lower, 1 at the upper bound, 0 between
 	bool m_isBoundKnown;  ///< whether the solver told m_bound: a direct one does
-	bool m_isForStock;    ///< the row was for one of Bullet\'s own solvers
+	bool m_isForStock;    ///< the row was for one of Bullet's own solvers
 
-	/// Is the impulse at the bound at which it pulls back against the trial deformation? A direct solver knows; an iterative
-	/// one may leave a thousandth of the yield impulse.
+	/// The bound of an explicit row is the spring's force at the start of the step, which may be 0: nothing flows without an
+	/// impulse.
+	bool isUnloaded(btScalar yieldImpulse) const
+	{
+		return m_isForStock && (m_trial > 0 ? m_impulse : -m_impulse) <= btScalar(1e-3) * yieldImpulse;
+	}
+
+	/// Whether the impulse is at the bound that opposes the trial deformation. A direct solver knows this; with an iterative
+	/// one the impulse may differ from the bound by a thousandth of the yield impulse.
 	bool isAtBound(btScalar yieldImpulse) const
 	{
 		if (m_isBoundKnown)
 			return m_trial > 0 ? m_bound > 0 : m_bound < 0;
 		const btScalar slack = btScalar(1e-3) * yieldImpulse;
-		// An explicit row is bounded by the spring's force: being there is yield only if that has reached the yield value.
-		if (m_isForStock && (m_trial > 0 ? m_upper : -m_lower) < yieldImpulse - slack)
+		if (isUnloaded(yieldImpulse))
 			return false;
 		return m_trial > 0 ? m_impulse >= m_upper - slack : m_impulse <= m_lower + slack;
 	}
 };
 
 /// Return mapping of the trial deformation e* = e_n - dt J v1.
-/// atBound: whether the row's impulse sits at its bound in the direction of e*. Without that, a force beyond yield is what the
-/// solver has left unsolved: no plastic flow, only a clamped force.
+/// \param atBound  whether the row's impulse is at its bound in the direction of e*. If not, a force beyond yield is a
+///           solver's error: the force is clamped, and nothing flows.
 inline ReturnMapping returnMap(btScalar stiffness, btScalar yield, btScalar strain, bool atBound)
 {
 	const btScalar trial = stiffness * strain;
@@ -185,12 +192,16 @@ struct ImplicitLaw
 		return m_isForStock ? stockRow(s, diagonal, dt) : implicitRow(s, diagonal, dt);
 	}
 
-	/// Of the trial deformation: what it is beyond yield is plastic, if the solver has held the row at its bound.
+	/// Return mapping of the trial deformation: the part beyond yield is plastic, if the solver has ended with the row at its
+	/// bound.
 	ReturnMapping returnMap(const DofState& s, const RowOutcome& outcome, btScalar dt) const
 	{
 		const bool isBeyond = btFabs(s.m_stiffness * outcome.m_trial) > s.m_yield;
-		return btElasticPlastic::returnMap(s.m_stiffness, s.m_yield, outcome.m_trial,
-										   isBeyond && outcome.isAtBound(s.m_yield * dt));
+		ReturnMapping mapped = btElasticPlastic::returnMap(s.m_stiffness, s.m_yield, outcome.m_trial,
+														   isBeyond && outcome.isAtBound(s.m_yield * dt));
+		if (isBeyond && outcome.isUnloaded(s.m_yield * dt))
+			mapped.m_unloaded = outcome.m_trial - mapped.m_force / s.m_stiffness;
+		return mapped;
 	}
 };
 }  // namespace btElasticPlastic

@@ -19,18 +19,18 @@ struct PaperLaw
 	};
 
 	Form m_form;
-	btScalar m_inverseMass;  ///< 1 / m of the lighter body, for a rotation 1 / I about the axis; the second form asks for it
+	btScalar m_inverseMass;  ///< 1 / m of the lighter body, for a rotation 1 / I about the axis; only used by SPRING
 
 	SoftRow row(const DofState& s, btScalar dt) const
 	{
 		return m_form == MOTOR ? motorRow(s, dt) : springRow(s, m_inverseMass, dt);
 	}
 
-	/// The paper looks at the deformation at the start of the step.
+	/// Return mapping of the deformation at the start of the step, as in the paper.
 	ReturnMapping returnMap(const DofState& s, const RowOutcome& outcome, btScalar dt) const
 	{
-		const bool flows = btFabs(outcome.m_impulse) > btScalar(0.99999) * (s.m_yield * dt) &&
-						   outcome.m_impulse * s.m_strain > 0;
+		const bool flows =
+			btFabs(outcome.m_impulse) > btScalar(0.99999) * (s.m_yield * dt) && outcome.m_impulse * s.m_strain > 0;
 		return btElasticPlastic::returnMap(s.m_stiffness, s.m_yield, s.m_strain, flows);
 	}
 

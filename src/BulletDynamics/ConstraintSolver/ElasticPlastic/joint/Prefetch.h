@@ -8,7 +8,7 @@
 
 namespace btElasticPlastic
 {
-/// Asks the processor for all of an object, which will be used soon: a large structure's joints do not fit its caches.
+/// Has the processor load all of an object into its cache before it is used: the joints of a large structure do not fit there.
 template <class T>
 inline void prefetch(const T& object)
 {

@@ -68,7 +68,7 @@ bool Separation::begin(btDynamicsWorld& world, btTypedConstraint& constraint)
 		return false;
 	world.addConstraint(&constraint, false);
 	m_world = &world;
-	// Nobody has looked yet.
+	// The overlap has not been measured in a step yet.
 	m_overlap = SIMD_INFINITY;
 	return true;
 }

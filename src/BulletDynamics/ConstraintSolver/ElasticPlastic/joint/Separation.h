@@ -16,9 +16,9 @@ namespace btElasticPlastic
 /// The time from a joint's break until its bodies have parted.
 ///
 /// Two bodies whose joint has broken collide again, but they may overlap: a bent joint has pushed their corners into each other.
-/// Bullet would shoot them apart, with energy from nowhere. Until they have parted, their contacts therefore stop what would
-/// deepen the overlap, and do not push. The broken constraint stays in the world for it, without rows: it is called between
-/// collision detection and solver.
+/// Bullet would push them apart at high speed, and so create energy. Until they are apart, their contacts therefore only stop
+/// motion that would deepen the overlap, and do not push. For this the broken constraint stays in the world without rows,
+/// because constraints are called between collision detection and solver.
 class Separation
 {
 public:
@@ -32,15 +32,16 @@ public:
 
 	bool isUnderWay() const { return m_world != nullptr; }
 
-	/// Have the bodies parted, as of the last step?
+	/// Whether the bodies were apart in the last step.
 	bool isDone() const;
 
-	/// Takes the penetration of the bodies' contact points for zero in the step that is being set up.
+	/// Sets the penetration of the bodies' contact points to zero for the step that is being set up.
 	void holdOverlap(btTypedConstraint& constraint);
 
 private:
-	btDynamicsWorld* m_world = nullptr;  ///< while it is under way; may be gone but when the constraint is called
-	btScalar m_overlap = 0;              ///< of the bodies in the last step [m]
+	btDynamicsWorld* m_world =
+		nullptr;             ///< while it is under way; the pointer is valid only when the world calls the constraint
+	btScalar m_overlap = 0;  ///< of the bodies in the last step [m]
 };
 }  // namespace btElasticPlastic
 

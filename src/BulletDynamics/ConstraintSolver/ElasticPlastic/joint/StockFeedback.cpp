@@ -74,7 +74,8 @@ void StockFeedback::decode(const btTypedConstraint& constraint, JointStep& step)
 	const btJointFeedback* feedback = const_cast<btTypedConstraint&>(constraint).getJointFeedback();
 	if (!feedback)
 		return;
-	// Bullet multiplies by the bodies' factors, and what they take away is lost: the body that is freer is read.
+	// Bullet multiplies the feedback by a body's linear and angular factors, which may lose a part of it. The body without
+	// factors is read.
 	const btRigidBody &A = constraint.getRigidBodyA(), &B = constraint.getRigidBodyB();
 	const btVector3 one(1, 1, 1);
 	const bool useB = (A.getLinearFactor() != one || A.getAngularFactor() != one) && B.getInvMass() > 0 &&
@@ -88,7 +89,7 @@ void StockFeedback::decode(const btTypedConstraint& constraint, JointStep& step)
 	btScalar impulse[BT_EP_DOF_COUNT];
 	step.project(force, torque - rA.cross(force), impulse);
 	for (int r = 0; r < step.getNumRows(); ++r)
-		step.setImpulse(r, m_dual.size() > 0 ? m_dual[2 * r].dot(force) + m_dual[2 * r + 1].dot(torque)
-											 : impulse[step.getDof(r)]);
+		step.setImpulse(
+			r, m_dual.size() > 0 ? m_dual[2 * r].dot(force) + m_dual[2 * r + 1].dot(torque) : impulse[step.getDof(r)]);
 }
 }  // namespace btElasticPlastic

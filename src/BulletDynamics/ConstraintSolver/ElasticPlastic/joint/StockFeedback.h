@@ -26,7 +26,7 @@ public:
 		}
 	}
 
-	/// Takes its own feedback object off, for solvers that tell impulses directly: Bullet would fill it row by row, for nobody.
+	/// Removes its own feedback object, which nobody reads if the solver returns impulses directly.
 	void detach(btTypedConstraint& constraint)
 	{
 		if (constraint.getJointFeedback() == &m_feedback)
@@ -35,10 +35,11 @@ public:
 
 	static void clear(btJointFeedback& feedback);
 
-	/// The feedback sums the rows of Bullet's class and the elastic-plastic ones: finds what tells these from each other.
+	/// Finds the dual vectors that separate the elastic-plastic rows' impulses from those of Bullet's class: the feedback is
+	/// the sum of both.
 	/// \param baseRows  Bullet's rows, which come first
 	void separateRows(const btTypedConstraint::btConstraintInfo2& info, int baseRows, int numRows);
-	/// There are none of Bullet's class.
+	/// Notes that Bullet's class has no rows in this step.
 	void setNoBaseRows() { m_dual.resize(0); }
 
 	/// Sets the impulses of the step's rows from what Bullet has summed up.
@@ -47,7 +48,7 @@ public:
 private:
 	btJointFeedback m_feedback;
 	btAlignedObjectArray<btVector3>
-		m_dual;  ///< two vectors a row: impulse = force . first + torque . second; empty: the axes do
+		m_dual;  ///< two vectors a row: impulse = force . first + torque . second; empty: the joint's axes serve as dual vectors
 };
 }  // namespace btElasticPlastic
 

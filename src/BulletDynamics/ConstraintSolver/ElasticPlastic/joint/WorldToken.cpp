@@ -26,7 +26,7 @@ public:
 			m_token->m_object = nullptr;
 	}
 
-	WorldToken* m_token;  ///< null: its end is no news
+	WorldToken* m_token;  ///< null: nobody has to know of its deletion
 
 private:
 	btEmptyShape m_shape;

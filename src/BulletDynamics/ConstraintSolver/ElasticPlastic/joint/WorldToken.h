@@ -10,9 +10,9 @@ class btDynamicsWorld;
 
 namespace btElasticPlastic
 {
-/// Tells whether a world still exists, which Bullet does not: an object in it that collides with nothing and is not drawn. A world
-/// takes its objects out of the broadphase when it goes. Owned by whom it was made for, but some clear a world by deleting all
-/// that is in it: then it is gone, too.
+/// Tells whether a world still exists, which Bullet does not: it puts an object into the world that collides with nothing and
+/// is not drawn. A world that is deleted takes its objects out of the broadphase. The token owns the object, but some users
+/// clear a world by deleting all objects in it: then the world counts as gone, too.
 class WorldToken
 {
 public:

@@ -11,14 +11,14 @@ namespace btElasticPlastic
 {
 namespace
 {
-// What a loop leaves of a contact's slip is about c / (c + A), with A of the contact in the structure. Where a light foot may
-// carry thousands of times its weight that is nearly all of it: contacts that hardly gain after some loops are made harder. All
-// of them from the start would make Newton crawl from one to the next.
-const int PATIENT_LOOPS = 4;          // in which a contact may gain little
-const double LITTLE_GAIN = 0.5;       // a loop leaves more of the slip than this
-const double HARDENING = 0.1;         // of the softening, what is left when a contact is made harder
-const double LEAST_SOFTENING = 1e-6;  // of the softening at the beginning
-/// Change of friction's bounds that matters, of the strongest one.
+// A loop leaves about c / (c + A) of a contact's slip, where A is that of the contact within the structure. Where a light
+// foot carries thousands of times its weight, that is nearly all of it. Contacts that improve little after some loops are
+// therefore made harder. If all of them were as hard from the start, Newton's method would need many steps.
+const int PATIENT_LOOPS = 4;          // the first loops, in which a contact may improve little
+const double LITTLE_GAIN = 0.5;       // a contact improves little if a loop leaves more than this share of its slip
+const double HARDENING = 0.1;         // the share of the softening that is left when a contact is made harder
+const double LEAST_SOFTENING = 1e-6;  // the least softening, as a share of the first one
+/// The change of a friction bound that asks for another loop, as a share of the largest bound.
 const double FRICTION_TOLERANCE = 0.01;
 }  // namespace
 
@@ -41,10 +41,11 @@ bool AugmentedContacts::begin(SystemInput& input, const BoxLaw& law)
 	return hasContacts;
 }
 
-AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const BoxLaw& law, int loop, double tolerance)
+AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const BoxLaw& law, int loop,
+													   double tolerance)
 {
 	Progress progress;
-	// Where nothing moves, and nothing rubs, rounding is measured by these.
+	// The least scales of velocity and friction, so that rounding counts for nothing where nothing moves.
 	double fastest = 1e-9, strongest = 1e-12;
 	double slip = 0, frictionChange = 0;
 	for (size_t i = 0; i < m_states.size(); ++i)
@@ -75,8 +76,7 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 		if (friction.m_normal < 0)
 			continue;
 		SystemInput::Bounded& row = input.m_rows[friction.m_row];
-		double bound =
-			friction.m_friction * std::max(0., law.getImpulse(input.m_singleRows[friction.m_normal].m_row));
+		double bound = friction.m_friction * std::max(0., law.getImpulse(input.m_singleRows[friction.m_normal].m_row));
 		if (friction.m_frictionMax > 0)
 			bound = std::min(bound, friction.m_frictionMax);
 		frictionChange = std::max(frictionChange, fabs(bound - row.m_upper));

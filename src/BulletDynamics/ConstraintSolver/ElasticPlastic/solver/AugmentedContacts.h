@@ -11,7 +11,7 @@
 
 namespace btElasticPlastic
 {
-/// The augmented Lagrangian that makes contacts as hard as they are.
+/// The augmented Lagrangian that solves hard contacts by a sequence of soft ones.
 ///
 /// Contacts are hard (C = 0) or nearly so, with friction bounded by the normal impulse. They are given to the search with a
 /// softening c and a multiplier l: the row asks for J dv + C lambda + c (lambda - l) = b. From loop to loop l becomes the last
@@ -23,11 +23,11 @@ public:
 	/// \return whether there is any contact
 	bool begin(SystemInput& input, const BoxLaw& law);
 
-	/// What a loop has found.
+	/// The outcome of a loop.
 	struct Progress
 	{
-		bool m_isOpen = false;           ///< anything changed that matters
-		bool m_hasChangedMatrix = false;  ///< a compliance has changed
+		bool m_isOpen = false;            ///< whether another loop is needed
+		bool m_hasChangedMatrix = false;  ///< whether a compliance has changed, and with it the matrix
 	};
 
 	/// Ends a loop: sets the rows' targets, compliances and bounds for the next one.

@@ -10,7 +10,8 @@
 
 namespace btElasticPlastic
 {
-/// Which impulses are admissible, and which of them answers a trial: the seam between the search and the laws of units.
+/// The admissible impulses of rows, and the projection of a trial onto them: the interface between the search and the laws of
+/// units.
 ///
 /// A unit's rows are asked for u = b - J dv. Its law projects u onto an admissible impulse lambda(u), the gradient of a convex
 /// potential psi(u), and gives the tangent d lambda / du, symmetric and positive semidefinite. The search (System) and the
@@ -35,17 +36,21 @@ public:
 		}
 	}
 
-	/// Impulses for the present bounds, whatever u is: what a linear problem with these bounds begins with.
+	/// Sets the impulses at dv = 0 as if the present bounds were right: the right side of the linear problem with these bounds.
 	void holdBounds(const SystemInput& input)
 	{
 		for (size_t i = 0; i < m_impulse.size(); ++i)
 		{
 			const SystemInput::Bounded& row = input.m_rows[i];
-			m_impulse[i] = m_bound[i] == 0 ? row.m_target / row.m_compliance : m_bound[i] > 0 ? row.m_upper : row.m_lower;
+			m_impulse[i] = m_bound[i] == 0  ? row.m_target / row.m_compliance
+						   : m_bound[i] > 0 ? row.m_upper
+											: row.m_lower;
 		}
 	}
 
-	/// Impulses and bounds for a trial. \param along  J dv of all rows \return whether a bound, and so the tangent, has changed
+	/// Computes impulses and bounds for a trial.
+	/// \param along  J dv of all rows
+	/// \return whether a bound, and so the tangent, has changed
 	bool project(const SystemInput& input, const std::vector<double>& along)
 	{
 		bool hasChanged = false;
@@ -53,8 +58,8 @@ public:
 		{
 			const SystemInput::Bounded& row = input.m_rows[i];
 			const double impulse = (row.m_target - along[i]) / row.m_compliance;
-			// Bounds without room between them, of friction where nothing presses, leave nothing to choose: on which side an
-			// impulse of rounding's size lies must not count as a change.
+			// Where both bounds are equal, as of friction without a normal impulse, the row counts as at its upper bound:
+			// otherwise rounding would decide on a bound, and count as a change.
 			const signed char bound = impulse > row.m_upper || row.m_lower == row.m_upper ? 1
 									  : impulse < row.m_lower                             ? -1
 																						  : 0;
@@ -80,8 +85,8 @@ public:
 
 	/// Adds the derivatives of psi along a step, at a share t of it.
 	/// \param start, step  J dv of all rows at the step's start, and of the step
-	void addDerivatives(const SystemInput& input, const std::vector<double>& start, const std::vector<double>& step, double t,
-						double& first, double& second) const
+	void addDerivatives(const SystemInput& input, const std::vector<double>& start, const std::vector<double>& step,
+						double t, double& first, double& second) const
 	{
 		for (size_t i = 0; i < m_impulse.size(); ++i)
 		{
@@ -136,8 +141,8 @@ public:
 	const signed char* getBounds(int row) const { return &m_bound[row]; }
 
 private:
-	std::vector<double> m_impulse;      // lambda, by row
-	std::vector<signed char> m_bound;   // -1 at the lower, 1 at the upper bound, 0 between
+	std::vector<double> m_impulse;     // lambda, by row
+	std::vector<signed char> m_bound;  // -1 at the lower, 1 at the upper bound, 0 between
 	std::vector<char> m_isInTangent;
 };
 }  // namespace btElasticPlastic

@@ -11,19 +11,21 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Compliance of hard rows, of A: it shows in the twelfth digit.
+/// Compliance of hard rows as a share of A: it changes the twelfth digit of the result.
 const double HARD = 1e-12;
-/// Softening of contacts, of A: the augmented Lagrangian then gains two digits a loop, and the matrix stays well conditioned.
+/// Softening of contacts as a share of A: the augmented Lagrangian then gains two digits a loop, and the matrix stays well
+/// conditioned.
 const double SOFTENING = 1e-2;
-/// Contacts press as hard as they have to.
+/// The upper bound of a contact's normal impulse: none.
 const double UNBOUNDED = 1e30;
-/// Friction that used so much of its bound in the last step is taken to slide.
+/// A contact slides, as a first guess, if its friction had this share of its bound in the last step.
 const double SLIDING = 0.999;
-/// What a body without inertia about an axis is given there, of its mass [m^2]: nothing turns it.
+/// Inertia over mass [m^2] of a body about an axis about which it has no inertia in Bullet: so much that nothing turns it.
 const double INERTIA_OF_NONE = 1e6;
 
-/// Bullet multiplies a change of velocity by the body's factors twice, in the row and when it applies the impulse. What they
-/// forbid to move is given the mass of something else: nothing pushes it, see addRow.
+/// Bullet multiplies a change of velocity by the body's factors twice, in the row and when it applies the impulse; the mass
+/// here is divided by their square. A direction that a factor of zero locks keeps its mass, as rows have no part in that
+/// direction, see copy().
 void setMass(const btRigidBody& body, SystemInput::Body& to)
 {
 	for (int i = 0; i < 3; ++i)
@@ -55,14 +57,14 @@ void setMass(const btRigidBody& body, SystemInput::Body& to)
 		}
 }
 
-/// Without what the body's factor forbids.
+/// Copies a Jacobian without the directions that the body's factor locks.
 void copy(double* to, const btVector3& from, const btVector3& factor)
 {
 	for (int i = 0; i < 3; ++i)
 		to[i] = factor[i] != 0 ? double(from[i]) : 0;
 }
 
-/// A row to a body that is no number is none, either.
+/// Whether all numbers of a row are finite. They are not if one of its bodies is not finite.
 bool isFiniteRow(const SystemInput::SingleRow& row, const SystemInput::Bounded& terms)
 {
 	double sum = terms.m_target + terms.m_compliance;
@@ -71,7 +73,7 @@ bool isFiniteRow(const SystemInput::SingleRow& row, const SystemInput::Bounded& 
 	return btElasticPlasticIsFinite(sum);
 }
 
-/// A row that asks for nothing.
+/// Makes a row one that has no effect.
 void makeIdle(SystemInput::SingleRow& row, SystemInput::Bounded& terms)
 {
 	for (double& element : row.m_J)
@@ -94,13 +96,13 @@ void DirectForm::begin()
 	m_index.resize(0);
 }
 
-/// Those that Bullet has taken in since the last call, which may be static ones only.
+/// Adds the solver bodies that Bullet has made since the last call. There may be static ones only among them.
 void DirectForm::addBodies(const SolverPools& pools)
 {
 	for (int i = m_index.size(); i < pools.m_bodies.size(); ++i)
 	{
 		const btRigidBody* body = pools.m_bodies[i].m_originalBody;
-		// A kinematic body goes where it is put, whatever mass it was left with.
+		// A kinematic body moves as it is told, even if it still has a mass.
 		const bool moves = body && body->getInvMass() > 0 && !body->isKinematicObject() && isFinite(*body);
 		m_index.push_back(moves ? m_input.getNumBodies() : -1);
 		if (moves)
@@ -182,7 +184,7 @@ void DirectForm::addDamping(const JointRows& rows, const btVector3& spin, const 
 	}
 }
 
-/// For bodies that may not move in every direction: their rows have less than a joint's Jacobian.
+/// Adds a joint of bodies that may not move in every direction: parts of its rows' Jacobians are zero, so they are no unit.
 void DirectForm::addUnitAsSingleRows(const JointRows& rows, const int solverBodies[2], const SolverPools& pools)
 {
 	const Kinematics& k = rows.m_kinematics;
@@ -204,7 +206,8 @@ void DirectForm::addUnitAsSingleRows(const JointRows& rows, const int solverBodi
 
 // ---- Bullet's rows
 
-/// From Bullet's row: its fixed point is rhs = cfm impulse + J dv / (A + C), with 1 / (A + C) what it multiplies by.
+/// Adds one of Bullet's rows. The fixed point of Bullet's iteration is rhs = cfm impulse + jacDiagABInv J dv, with
+/// jacDiagABInv = 1 / (A + C); divided by jacDiagABInv it is the system's row.
 SystemInput::SingleRow& DirectForm::addRow(const btSolverConstraint& from, const SolverPools& pools)
 {
 	SystemInput::SingleRow& row = m_input.addSingleRow();
@@ -226,7 +229,7 @@ SystemInput::SingleRow& DirectForm::addRow(const btSolverConstraint& from, const
 	return row;
 }
 
-/// A row that the augmented Lagrangian makes soft, unless it is softer already.
+/// Adds a contact's row, which is softened for the augmented Lagrangian unless it is softer already.
 SystemInput::SingleRow& DirectForm::addContactRow(const btSolverConstraint& from, const SolverPools& pools)
 {
 	SystemInput::SingleRow& row = addRow(from, pools);
@@ -237,8 +240,9 @@ SystemInput::SingleRow& DirectForm::addContactRow(const btSolverConstraint& from
 	return row;
 }
 
-/// The search begins with the bounds that the contacts' points remember of the last step. Multipliers begin as Bullet's warm
-/// start does, a little below: what the loops leave then takes energy instead of making it.
+/// The search begins with the bounds that follow from the impulses of the last step, which contact points keep. Multipliers
+/// begin with the impulses of Bullet's warm start, which are a little smaller: an error that the loops leave then dissipates
+/// energy and creates none.
 void DirectForm::addContacts(const SolverPools& pools, bool hasTwoDirections)
 {
 	const int first = m_input.getNumSingleRows();
@@ -294,7 +298,7 @@ bool DirectForm::solve(const SolverPools& pools, bool hasTwoFrictionDirections)
 	for (int i = 0; i < pools.m_constraints.size(); ++i)
 		addRow(pools.m_constraints[i], pools);
 	addContacts(pools, hasTwoFrictionDirections);
-	// The island is known again by the first of its joints.
+	// The first joint of an island keeps the island's id.
 	return m_system.solve(m_input, m_joints[0].m_works->m_islandId);
 }
 

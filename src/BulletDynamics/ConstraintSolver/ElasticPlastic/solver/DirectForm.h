@@ -33,7 +33,7 @@ public:
 	/// After solve(): gives bodies their changes of velocity and Bullet's rows their impulses.
 	void writeResult(const SolverPools& pools) const;
 
-	/// When Bullet has ended the step's solution: gives joints their impulses.
+	/// Gives joints their impulses, after Bullet has finished the step's solution.
 	void finish();
 
 	/// Forgets the island: its joints have no part in the step any more.
@@ -46,7 +46,7 @@ private:
 		int m_firstRow;    ///< of the system
 		int m_unit;        ///< of the system, if its bodies are free
 		int m_numDamping;  ///< rows of tension damping, the unit's last ones
-		bool m_isCut;      ///< Bullet's breaking threshold is below a bound: being there is no flow
+		bool m_isCut;  ///< whether Bullet's breaking threshold has replaced a bound; a row at this bound does not flow
 	};
 
 	void addBodies(const SolverPools& pools);
@@ -62,8 +62,8 @@ private:
 	SystemInput m_input;
 	System m_system;
 	btAlignedObjectArray<Joint> m_joints;
-	btAlignedObjectArray<int> m_index;              ///< of a solver body in the system, -1: does not move
-	int m_firstRow = 0;                             ///< single row of the first one in Bullet's pools
+	btAlignedObjectArray<int> m_index;  ///< index in the system of each solver body, -1: it does not move
+	int m_firstRow = 0;                 ///< index of the single row that stands for the first row in Bullet's pools
 	btAlignedObjectArray<btScalar> m_lastFriction;  ///< the last step's impulses, by Bullet's pool
 };
 }  // namespace btElasticPlastic

@@ -11,9 +11,9 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Bullet gives bodies their gravity first and wakes the rest of an island then: for a step that rest would weigh nothing,
-/// and a structure that carries itself spring up. A body that is about to sleep has been at rest for a while; Bullet leaves only
-/// those it has just woken with that state and no time at rest.
+/// Applies gravity to bodies that Bullet has woken in this step. Bullet applies gravity first and then wakes the rest of an
+/// island, so the woken bodies would have no weight for a step, and a structure that carries its own weight would spring up.
+/// Woken bodies are those that want to sleep but have no time at rest: others with that state have been at rest for a while.
 void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
 {
 	for (int i = 0; i < numBodies; ++i)
@@ -24,9 +24,9 @@ void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
 	}
 }
 
-/// From so many joints on they no longer fit the second level of a processor's cache.
+/// With more joints than this their data no longer fits the second level of a processor's cache.
 const int MANY_JOINTS = 400;
-/// How many joints ahead of the present one are asked for.
+/// The number of joints ahead of the present one whose data is prefetched.
 const int AHEAD = 4;
 }  // namespace
 
@@ -63,7 +63,8 @@ void IslandSolver::convertJoints(btTypedConstraint** constraints, int numConstra
 		convertForIterative(constraints, numConstraints, info);
 }
 
-void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
+void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numConstraints,
+									const btContactSolverInfo& info)
 {
 	m_others.resize(0);
 	m_otherJoints.resize(0);
@@ -105,7 +106,7 @@ void IslandSolver::convertForIterative(btTypedConstraint** constraints, int numC
 									   const btContactSolverInfo& info)
 {
 	for (int i = 0; i < numConstraints; ++i)
-		// A disabled one will not be asked for rows.
+		// Bullet does not ask a disabled joint for rows.
 		if (m_joints[i] && constraints[i]->isEnabled())
 			m_joints[i]->requestJacobians();
 	btSequentialImpulseConstraintSolver::convertJoints(constraints, numConstraints, info);

@@ -24,7 +24,7 @@ public:
 
 	void setSettings(const btElasticPlasticSolverSettings& settings);
 
-	/// Ages what is kept from step to step.
+	/// Ages the plans and factors that are kept from step to step.
 	void beginStep() { m_direct.getSystem().beginStep(); }
 
 	/// Solves an island with elastic-plastic joints; with the iterative form it may be several.
@@ -54,9 +54,9 @@ private:
 	btElasticPlasticStatistics m_statistics;
 	DirectForm m_direct;
 	IterativeForm m_iterative;
-	JointWorks** m_joints = nullptr;                     ///< of the island at work, per constraint, null: not elastic-plastic
-	btAlignedObjectArray<btTypedConstraint*> m_others;   ///< the island's constraints that have rows in Bullet's pool
-	btAlignedObjectArray<JointWorks*> m_otherJoints;     ///< of these, null where there is none of ours
+	JointWorks** m_joints = nullptr;  ///< of the island at work, per constraint, null: not elastic-plastic
+	btAlignedObjectArray<btTypedConstraint*> m_others;  ///< the island's constraints that have rows in Bullet's pool
+	btAlignedObjectArray<JointWorks*> m_otherJoints;  ///< the works of m_others, null where one is not elastic-plastic
 };
 }  // namespace btElasticPlastic
 

@@ -14,7 +14,8 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// In the order of being added to the world, and for good: the place in the world changes when another body leaves.
+/// A body's place in the order in which bodies were added to the world. Its index in the world would change when another body
+/// leaves.
 uint32_t orderOf(const btCollisionObject& body)
 {
 	const btBroadphaseProxy* const proxy = body.getBroadphaseHandle();
@@ -29,7 +30,7 @@ int Islands::rootOf(int body)
 	return body;
 }
 
-/// Does the body move, and belong to the group? One that was taken out of the world while its constraint stays does not.
+/// Whether a body moves and belongs to the group. A body that was taken out of the world while its constraint stays does not.
 bool Islands::isMember(const btCollisionObject& body) const
 {
 	const int place = body.getCompanionId();
@@ -42,11 +43,11 @@ void Islands::join(const btCollisionObject& a, const btCollisionObject& b)
 	if (!isMember(a) || !isMember(b))
 		return;
 	const int rootA = rootOf(a.getCompanionId()), rootB = rootOf(b.getCompanionId());
-	// Low roots: a chain of bodies in order is a tree of depth one.
+	// The lower root becomes the parent, so that a chain of bodies in order is a tree of depth one.
 	m_parent[rootA > rootB ? rootA : rootB] = rootA > rootB ? rootB : rootA;
 }
 
-/// Bullet's companion number, free between two solutions, tells a body its place in the group.
+/// A body's place in the group is kept in its companion id, which Bullet does not use between two solutions.
 void Islands::findIslands(const SolverGroup& group)
 {
 	m_parent.resize(group.m_numBodies);
@@ -129,7 +130,8 @@ void Islands::split(const SolverGroup& group)
 	{
 		const btPersistentManifold& manifold = *group.m_manifolds[i];
 		const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-		// Bullet would take both bodies in, and move one of another island a second time.
+		// A manifold without points joins nothing, but Bullet would set up both its bodies, and move one of another island
+		// twice.
 		if (manifold.getNumContacts() == 0 && (numberOf(a) < m_numIslands || numberOf(b) < m_numIslands))
 			continue;
 		m_manifolds.m_keys.push_back(key(a, b, 0, i));

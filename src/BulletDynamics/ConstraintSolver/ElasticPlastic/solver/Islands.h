@@ -15,7 +15,7 @@ namespace btElasticPlastic
 {
 class JointWorks;
 
-/// What a solver is given at a time: several islands, as Bullet joins small ones to batches.
+/// What Bullet gives a solver at a time: one or several islands, as it joins small ones to batches.
 struct SolverGroup
 {
 	btCollisionObject** m_bodies = nullptr;
@@ -29,14 +29,15 @@ struct SolverGroup
 
 /// Takes a group apart: each island with elastic-plastic joints by itself, all others together.
 ///
-/// An island here is what constraints and contacts join. Bullet's own may be larger: it joins bodies whose boxes have
-/// overlapped until it looks at the pair again, which depends on the rest of the world. And its sort by islands shuffles what is
-/// equal. Here an island is put in an order of its own, that in which its bodies were added to the world (the numbers that the
-/// broadphase gives): it then gives the same bits whatever is around it. The others stay in Bullet's order.
+/// An island here is what constraints and contacts join. Bullet's own may be larger, because it also joins bodies whose
+/// bounding boxes have overlapped, until it checks the pair again, which depends on the rest of the world. Moreover, Bullet's
+/// sort by islands is not stable. Here every island is sorted by the order in which its bodies were added to the world (the
+/// broadphase's uids), so that it gives the same bits whatever else is in the world. What has no elastic-plastic joints stays
+/// in Bullet's order.
 class Islands
 {
 public:
-	/// What the group points to must stay; the arrays may go.
+	/// Bodies, manifolds and constraints must outlive the result, the group's arrays need not.
 	void split(const SolverGroup& group);
 
 	int getNumIslands() const { return m_numIslands; }  ///< with elastic-plastic joints
@@ -47,10 +48,10 @@ private:
 	/// Where an item goes.
 	struct Key
 	{
-		uint64_t m_bodies;  ///< one body's number, then the other's
-		int m_order;        ///< among those of the same bodies
+		uint64_t m_bodies;  ///< the first body's place in the order, then the second's
+		int m_order;        ///< order among items of the same bodies
 		int m_source;
-		int m_island;  ///< our number, the others last
+		int m_island;  ///< index of the island; items of no island of ours come last
 	};
 
 	/// Items of one kind, by island.

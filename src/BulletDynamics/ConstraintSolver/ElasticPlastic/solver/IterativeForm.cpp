@@ -22,7 +22,7 @@ struct RowMotion
 			m_velocity = -row.m_rhs * m_diagonal;
 			return;
 		}
-		// Where A <= SIMD_EPSILON, in float two bodies of 8000 t, Bullet has put 0.
+		// Bullet sets 1 / A to 0 where A <= SIMD_EPSILON, in float for two bodies of 8000 t: A and J v are computed here.
 		const btSolverBody &A = pools.m_bodies[row.m_solverBodyIdA], &B = pools.m_bodies[row.m_solverBodyIdB];
 		m_diagonal = row.m_contactNormal1.length2() * model.bodyA().getInvMass() +
 					 row.m_contactNormal2.length2() * model.bodyB().getInvMass() +
@@ -36,7 +36,7 @@ struct RowMotion
 };
 }  // namespace
 
-/// impulse += (r - J v - C impulse - J dv) / (A + C).
+/// With these terms Bullet's iteration is: impulse += (r - J v - C impulse - J dv) / (A + C).
 void IterativeForm::addJoint(JointWorks& joint, int firstRow, const SolverPools& pools, btScalar erp)
 {
 	const Joint entry = {&joint, firstRow};
@@ -49,7 +49,7 @@ void IterativeForm::addJoint(JointWorks& joint, int firstRow, const SolverPools&
 		row.m_jacDiagABInv = 1 / (motion.m_diagonal + soft.m_compliance);
 		row.m_rhs = (soft.m_velocity - motion.m_velocity) * row.m_jacDiagABInv;
 		row.m_cfm = soft.m_compliance * row.m_jacDiagABInv;
-		// Bullet has put the breaking threshold there, if the user wants that too.
+		// Bullet has already set the bounds to the breaking threshold, if there is one.
 		btSetMax(row.m_lowerLimit, soft.m_lower);
 		btSetMin(row.m_upperLimit, soft.m_upper);
 	}

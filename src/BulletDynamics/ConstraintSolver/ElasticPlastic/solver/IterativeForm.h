@@ -20,8 +20,8 @@ public:
 	/// Begins an island.
 	void begin() { m_joints.resize(0); }
 
-	/// Makes the joint's rows in Bullet's pool soft. Bullet has made J, A and -J v / A of them; the rest comes from the joint.
-	/// \param firstRow  of the joint's own ones in the pool
+	/// Sets compliance, right side and bounds of the joint's rows in Bullet's pool, where Bullet has set J, A and -J v / A.
+	/// \param firstRow  the first of the joint's elastic-plastic rows in the pool
 	/// \param erp       Bullet's error reduction
 	void addJoint(JointWorks& joint, int firstRow, const SolverPools& pools, btScalar erp);
 

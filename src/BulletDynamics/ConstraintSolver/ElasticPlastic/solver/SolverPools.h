@@ -9,7 +9,7 @@
 
 namespace btElasticPlastic
 {
-/// A view of the island that Bullet's sequential impulse solver has at work: its bodies and rows.
+/// References to the solver bodies and rows of the island that Bullet's sequential impulse solver is solving.
 struct SolverPools
 {
 	btAlignedObjectArray<btSolverBody>& m_bodies;

@@ -11,7 +11,7 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Bullet itself leaves sleeping islands out, but not where the world does not split islands.
+/// Whether all bodies of an island sleep. Bullet leaves out sleeping islands itself, unless the world does not split islands.
 bool isAsleep(const SolverGroup& island)
 {
 	for (int i = 0; i < island.m_numBodies; ++i)
@@ -20,8 +20,8 @@ bool isAsleep(const SolverGroup& island)
 	return island.m_numBodies > 0;
 }
 
-/// May any thread solve it? Not if its factor is kept from step to step, and not with a kinematic body, in which Bullet notes
-/// which of a solver's bodies it is.
+/// Whether any thread may solve an island. It may not if the island's factor is kept from step to step by one solver, or if
+/// it has a kinematic body, to which Bullet writes its index among one solver's bodies.
 bool isForAnyThread(const SolverGroup& island)
 {
 	if (LinearSolver::mayKeepFactor(island.m_numBodies))

@@ -13,8 +13,8 @@
 
 namespace btElasticPlastic
 {
-/// What stands behind btElasticPlasticConstraintSolver: takes what Bullet hands over apart into islands, and has each solved, by
-/// the calling thread or by those of a worker pool.
+/// The implementation of btElasticPlasticConstraintSolver: splits what Bullet hands over into islands, and has each solved by
+/// the calling thread or by the threads of a worker pool.
 class SolverWorks
 {
 public:
@@ -24,7 +24,7 @@ public:
 	const btElasticPlasticSolverSettings& getSettings() const { return m_settings; }
 	btElasticPlasticStatistics& getStatistics() { return m_solvers[0]->getStatistics(); }
 
-	/// Lets a solver of ours iterate with the same functions as one of Bullet's.
+	/// Makes the island solvers iterate with the same row functions as the user's solver.
 	void takeRowSolvers(btSequentialImpulseConstraintSolver& from);
 
 	void beginStep();

@@ -16,10 +16,10 @@ namespace
 {
 // ---- when the search ends, relative to the sum of the absolute values of phi's terms
 
-/// A predicted gain below this is less than phi is rounded by.
+/// A predicted gain below this is smaller than the rounding of phi.
 const double ROUNDING = 1e-12;
-/// So many steps more are made for exactness when only rounding is left to gain: rows that are all but at a bound may change
-/// sides for ever.
+/// The number of steps that are still made when the predicted gain is only rounding, for exactness. More would not help: rows
+/// whose impulses differ from a bound by rounding may change sides for ever.
 const int ROUNDING_STEPS = 3;
 
 // ---- the line search
@@ -28,10 +28,10 @@ const int ROUNDING_STEPS = 3;
 const double SUFFICIENT_GAIN = 1e-4, PHI_ROUNDING = 1e-14;
 /// The exact search ends at this share of the step, or when Newton's method has moved by less.
 const double LENGTH_TOLERANCE = 1e-15, LENGTH_STEP = 1e-14;
-/// Bisection alone would need 50 turns to get there.
+/// The most iterations of the exact search; bisection alone would need 50.
 const int MAX_LENGTH_STEPS = 60;
 
-/// Velocities beyond this are no solution.
+/// A solution with a larger velocity [m/s], [rad/s] counts as not converged.
 const double FASTEST = 1e30;
 
 // ---- velocities and impulses
@@ -70,8 +70,7 @@ void project(const SystemInput& input, const std::vector<double>& velocity, std:
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
 	{
 		const double *a = of(row.m_body[0]), *b = of(row.m_body[1]);
-		along[row.m_row] =
-			dot(row.m_J, a) + dot(row.m_J + 3, a + 3) + dot(row.m_J + 6, b) + dot(row.m_J + 9, b + 3);
+		along[row.m_row] = dot(row.m_J, a) + dot(row.m_J + 3, a + 3) + dot(row.m_J + 6, b) + dot(row.m_J + 9, b + 3);
 	}
 }
 
@@ -186,7 +185,7 @@ bool System::guess(const SystemInput& input)
 bool System::newton(const SystemInput& input)
 {
 	evaluate(input);
-	// With the bounds that were guessed, dv solves a linear problem, exactly.
+	// dv solves the linear problem for the guessed bounds exactly: if no bound changes, the guess was right.
 	if (!m_boundsChanged)
 		return true;
 	double phi = findResidual(input);
@@ -227,9 +226,10 @@ void System::move(double length)
 		m_velocity[i] = m_start[i] + length * m_step[i];
 }
 
-/// Where phi is least along the step from the start, between 0 and 1. Its derivative there is monotonous and piecewise linear,
-/// with a kink wherever a row reaches a bound: Newton's method, kept in the bracket, ends exactly. Halving the step would not
-/// do: rows of little compliance bend phi almost like an edge, and the search would zigzag along it.
+/// Finds the share of the step, between 0 and 1, at which phi is least. The derivative of phi along the step is monotonic and
+/// piecewise linear, with a kink wherever a row reaches a bound: Newton's method, kept within the bracket, ends exactly.
+/// Halving the step would not be enough: rows of little compliance give phi almost an edge, along which the search would
+/// zigzag.
 double System::exactLength(const SystemInput& input)
 {
 	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
@@ -272,7 +272,7 @@ bool System::search(SystemInput& input)
 	for (int loop = 0; solved && open && loop < m_settings.m_maxContactLoops; ++loop)
 	{
 		++m_statistics.m_contactLoops;
-		// The right sides have changed: even with the same bounds there is a step to make.
+		// The contacts' targets have changed, so the solution changes even if no bound does.
 		solved = guess(input) && newton(input);
 		open = tighten(loop + 2);
 	}

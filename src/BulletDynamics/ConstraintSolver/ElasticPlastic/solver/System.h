@@ -26,8 +26,9 @@ namespace btElasticPlastic
 ///
 /// whose Hessian is H = M + sum J^T (d lambda / du) J: symmetric positive definite, one 6x6 block per body and per pair of
 /// joined bodies. Semismooth Newton with a line search, begun at the solution for the last step's set of bounded rows
-/// (from zero it would have to find that set step by step), ends in 1 to 3 factorisations where few rows change sides in a step,
-/// and in some dozens where hundreds do. Contacts are made as hard as they are in loops around it, see AugmentedContacts.
+/// (begun with none it would have to find that set step by step), ends after 1 to 3 factorisations where few rows reach or
+/// leave a bound in a step, and after some dozens where hundreds do. Loops around it make contacts hard, see
+/// AugmentedContacts.
 class System
 {
 public:
@@ -38,11 +39,11 @@ public:
 
 	void setSettings(const btElasticPlasticSolverSettings& settings);
 
-	/// Ages what is kept from step to step.
+	/// Ages the plans and factors that are kept from step to step.
 	void beginStep() { m_linearSolver.beginStep(); }
 
-	/// Solves a problem; what it asks of contacts' rows is changed on the way.
-	/// \param islandId  by which the island is known again, 0: not yet; becomes what is to be given the next time
+	/// Solves a problem. The targets, compliances and bounds of contacts' rows in the input are changed.
+	/// \param islandId  the id that the last solution of the same island has left here, 0: none; gets the id for the next one
 	/// \return false if the search does not converge: then the result means nothing
 	bool solve(SystemInput& input, int& islandId);
 

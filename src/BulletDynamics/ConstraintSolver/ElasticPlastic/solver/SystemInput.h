@@ -31,7 +31,7 @@ struct SystemInput
 		double m_upper;
 	};
 
-	/// Where the search begins.
+	/// The impulse and bound of a row with which the search begins.
 	struct Guess
 	{
 		double m_impulse = 0;     ///< of a contact
@@ -54,8 +54,8 @@ struct SystemInput
 		double m_J[12];  ///< linear and angular part on one body, then on the other
 		int m_body[2];   ///< by index, -1: one that does not move
 		int m_row;       ///< of m_rows
-		/// Of the row's compliance, what an augmented Lagrangian may take away again to make a contact as hard as it is.
-		/// 0: not a contact.
+		/// The part of a contact's compliance that was added to soften it, and that the augmented Lagrangian corrects for; 0
+		/// if the contact is soft enough by itself, or the row is not a contact's.
 		double m_softening = 0;
 		int m_normal = -1;         ///< friction: the single row of its normal impulse
 		double m_friction = 0;     ///< friction: coefficient

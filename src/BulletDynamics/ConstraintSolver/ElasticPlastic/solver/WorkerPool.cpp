@@ -38,7 +38,7 @@ void WorkerPool::run(Task& task, int numIndices)
 	m_task = nullptr;
 }
 
-/// \return whether there was one left
+/// Runs the task for one index. \return whether one was left
 bool WorkerPool::takeOne(int worker)
 {
 	std::unique_lock<std::mutex> lock(m_mutex);

@@ -11,14 +11,15 @@
 
 namespace btElasticPlastic
 {
-/// Threads that share tasks with the one that calls. They wait without cost between calls.
+/// Threads that share the indices of a task with the calling thread. They sleep between calls.
 class WorkerPool
 {
 public:
 	struct Task
 	{
 		virtual ~Task() {}
-		/// \param worker  who does it, 0 to getNumWorkers() - 1; no two do anything at the same time with the same number
+		/// \param worker  the worker that runs it, 0 to getNumWorkers() - 1; never two threads at the same time have the same
+		///           number
 		virtual void run(int index, int worker) = 0;
 	};
 
