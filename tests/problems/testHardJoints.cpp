@@ -68,7 +68,10 @@ TEST(HardJoints, AKinematicPressGoesItsWay)
 					pair.m_a->setWorldTransform(at(x));
 					pair.m_world.step(btScalar(1) / rate);
 				}
-				EXPECT_NEAR(0.099, joint->getPlasticPath(BT_EP_AXIAL), 2e-4) << int(solver) << " " << rate;
+				// With Bullet's solver the spring is explicit: it has no force in the first step, whose motion is neither
+				// resisted nor plastic.
+				const double path = solver == Solver::Stock ? 0.1 - 1. / rate : 0.099;
+				EXPECT_NEAR(path, joint->getPlasticPath(BT_EP_AXIAL), 2e-4) << int(solver) << " " << rate;
 				// Still at yield but for what the heavy body's 0.2 mm/s give back in the last tenth of a second.
 				EXPECT_NEAR(1e4, btFabs(joint->getForce(BT_EP_AXIAL)), 500);
 			}

@@ -104,7 +104,8 @@ bool JointStep::evaluate(btScalar dt)
 void JointStep::takeBackDrift()
 {
 	const btScalar last = m_model.m_state.m_lastStep;
-	m_hasDrift = m_dt < last && !m_model.m_isPaper;
+	// What an iterative solver has left unsolved is no drift.
+	m_hasDrift = m_dt < last && !m_model.m_isPaper && m_wasSolvedExactly;
 	if (!m_hasDrift)
 		return;
 	const btScalar share = m_dt / last;
@@ -215,6 +216,7 @@ ReturnMapping JointStep::returnMap(const Row& row) const
 int JointStep::commit()
 {
 	m_numCommittedRows = m_numRows;
+	m_wasSolvedExactly = m_numRows > 0 && m_row[0].m_isBoundKnown;
 	if (m_numRows == 0)
 		return NOTHING;
 	const Kinematics& k = m_kinematics;

@@ -131,6 +131,7 @@ private:
 	int m_numRows = 0;
 	int m_numCommittedRows = 0;
 	btScalar m_dt = 0;
+	bool m_wasSolvedExactly = false;  ///< the last step, by a solver that knows which rows are at a bound
 	bool m_hasDrift = false;
 	btScalar
 		m_drift[BT_EP_DOF_COUNT];  ///< strain by which the reference moves at the end of the step, see takeBackDrift()

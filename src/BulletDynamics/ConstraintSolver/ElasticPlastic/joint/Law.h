@@ -141,11 +141,10 @@ struct RowOutcome
 	bool m_isBoundKnown;  ///< whether the solver told m_bound: a direct one does
 	bool m_isForStock;    ///< the row was for one of Bullet's own solvers
 
-	/// The bound of an explicit row is the spring's force at the start of the step, which may be 0: nothing flows without an
-	/// impulse.
+	/// The bound of an explicit row is the spring's force at the start of the step, which may be 0: nothing flows without a force.
 	bool isUnloaded(btScalar yieldImpulse) const
 	{
-		return m_isForStock && (m_trial > 0 ? m_impulse : -m_impulse) <= btScalar(1e-3) * yieldImpulse;
+		return m_isForStock && (m_trial > 0 ? m_upper : -m_lower) <= btScalar(1e-3) * yieldImpulse;
 	}
 
 	/// Whether the impulse is at the bound that opposes the trial deformation. A direct solver knows this; with an iterative
