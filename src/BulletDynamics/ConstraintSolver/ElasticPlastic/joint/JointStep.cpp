@@ -82,6 +82,7 @@ bool JointStep::evaluate(btScalar dt)
 	btScalar velocity[BT_EP_DOF_COUNT];
 	m_spin0 = A.getAngularVelocity() - B.getAngularVelocity();
 	m_dampingImpulse.setZero();
+	m_hasRecovery = false;
 	project(linear, m_spin0, velocity);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
@@ -193,8 +194,24 @@ void JointStep::getLoad(btVector3& force, btVector3& torque) const
 	torque = sum[1] / m_dt;
 }
 
-ReturnMapping JointStep::returnMap(const Row& row) const
+void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2], const double* impulses,
+							const signed char* bounds)
 {
+	btScalar rate[BT_EP_DOF_COUNT];
+	project(linear[0] + angular[0].cross(m_kinematics.m_rA) - linear[1] - angular[1].cross(m_kinematics.m_rB),
+			angular[0] - angular[1], rate);
+	m_hasRecovery = true;
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		m_recovery[r].m_rate = rate[m_row[r].m_dof];
+		m_recovery[r].m_impulse = btScalar(impulses[r]);
+		m_recovery[r].m_bound = bounds[r];
+	}
+}
+
+ReturnMapping JointStep::returnMap(int r) const
+{
+	const Row& row = m_row[r];
 	const DofState s = dofState(row.m_dof);
 	RowOutcome outcome;
 	outcome.m_impulse = row.m_impulse;
@@ -206,8 +223,14 @@ ReturnMapping JointStep::returnMap(const Row& row) const
 	outcome.m_bound = m_lastBound[row.m_dof];
 	outcome.m_isBoundKnown = row.m_isBoundKnown;
 	outcome.m_isForStock = row.m_isForStock;
+	if (m_hasRecovery)
+	{
+		outcome.m_trial -= m_dt * m_recovery[r].m_rate;
+		outcome.m_impulse = m_recovery[r].m_impulse;
+		outcome.m_bound = m_recovery[r].m_bound;
+	}
 	if (m_model.m_capacity.isRigidPlastic(row.m_dof))
-		return rigidReturnMap(row.m_impulse, outcome.m_trial, outcome.isAtBound(s.m_yield * m_dt), m_dt);
+		return rigidReturnMap(outcome.m_impulse, outcome.m_trial, outcome.isAtBound(s.m_yield * m_dt), m_dt);
 	if (m_model.m_isPaper)
 		return paperLaw(row.m_dof).returnMap(s, outcome, m_dt);
 	return ImplicitLaw{false}.returnMap(s, outcome, m_dt);
@@ -237,7 +260,7 @@ int JointStep::commit()
 		Row& row = m_row[r];
 		const int i = row.m_dof;
 		row.m_velocity1 = velocity1[i];
-		const ReturnMapping mapped = returnMap(row);
+		const ReturnMapping mapped = returnMap(r);
 		state.m_forceRate[i] = (mapped.m_force - state.m_force[i]) * rate;
 		state.m_force[i] = mapped.m_force;
 		state.m_applied[i] = row.m_impulse * rate;

@@ -77,6 +77,12 @@ public:
 	}
 	btScalar getImpulse(int r) const { return m_row[r].m_impulse; }
 
+	/// That the bodies' places move in the step beside their velocities, to take penetration back.
+	/// \param linear, angular   velocities of that motion, of both bodies
+	/// \param impulses, bounds  of the rows against all of the motion, see setImpulse()
+	void setRecovery(const btVector3 linear[2], const btVector3 angular[2], const double* impulses,
+					 const signed char* bounds);
+
 	/// What tension damping has applied about the common point [N m s], on body A.
 	void setDampingImpulse(const btVector3& impulse) { m_dampingImpulse = impulse; }
 
@@ -124,7 +130,7 @@ private:
 	void giveUpDrift();
 	DofState dofState(int dof) const;
 	PaperLaw paperLaw(int dof) const;
-	ReturnMapping returnMap(const Row& row) const;
+	ReturnMapping returnMap(int r) const;
 	void takeBackKinematicMotion();
 
 	JointModel& m_model;
@@ -135,6 +141,16 @@ private:
 	bool m_hasDrift = false;
 	btScalar
 		m_drift[BT_EP_DOF_COUNT];  ///< strain by which the reference moves at the end of the step, see takeBackDrift()
+	/// Motion of places beside velocities, by row.
+	struct RecoveryRow
+	{
+		btScalar m_rate;     ///< J times it
+		btScalar m_impulse;  ///< against all of the motion
+		signed char m_bound;
+	};
+
+	bool m_hasRecovery = false;
+	RecoveryRow m_recovery[BT_EP_DOF_COUNT];
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step
 	Kinematics m_kinematics;

@@ -136,6 +136,17 @@ public:
 		return hasChanged;
 	}
 
+	void getResult(std::vector<double>& impulses, std::vector<signed char>& bounds) const
+	{
+		impulses = m_impulse;
+		bounds = m_bound;
+	}
+	void setResult(const std::vector<double>& impulses, const std::vector<signed char>& bounds)
+	{
+		m_impulse = impulses;
+		m_bound = bounds;
+	}
+
 	double getImpulse(int row) const { return m_impulse[row]; }
 	const double* getImpulses(int row) const { return &m_impulse[row]; }
 	const signed char* getBounds(int row) const { return &m_bound[row]; }

@@ -4,6 +4,7 @@
 #include "DirectForm.h"
 
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "../joint/BodyGate.h"
 
@@ -94,6 +95,7 @@ void DirectForm::begin()
 	m_input.clear();
 	m_joints.resize(0);
 	m_index.resize(0);
+	m_recovery.begin();
 }
 
 /// Adds the solver bodies that Bullet has made since the last call. There may be static ones only among them.
@@ -123,7 +125,12 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 									   B.m_linearVelocity - B.m_externalForceImpulse - wB.cross(k.m_rB),
 								   wA - wB};
 	const double most = joint.m_model.m_constraint.getBreakingImpulseThreshold();
-	Joint entry = {&joint, m_input.getNumRows(), int(m_input.m_units.size()), 0, false};
+	Joint entry = {&joint,
+				   m_input.getNumRows(),
+				   {m_index[solverBodies[0]], m_index[solverBodies[1]]},
+				   int(m_input.m_units.size()),
+				   0,
+				   false};
 	if (isFree(A) && isFree(B))
 	{
 		entry.m_numDamping = addUnit(rows, solverBodies);
@@ -243,20 +250,22 @@ SystemInput::SingleRow& DirectForm::addContactRow(const btSolverConstraint& from
 /// The search begins with the bounds that follow from the impulses of the last step, which contact points keep. Multipliers
 /// begin with the impulses of Bullet's warm start, which are a little smaller: an error that the loops leave then dissipates
 /// energy and creates none.
-void DirectForm::addContacts(const SolverPools& pools, bool hasTwoDirections)
+void DirectForm::addContacts(const SolverPools& pools, const btContactSolverInfo& info)
 {
+	const bool hasTwoDirections = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
 	const int first = m_input.getNumSingleRows();
 	m_lastFriction.resizeNoInitialize(0);
 	m_lastFriction.resize(pools.m_friction.size(), 0);
 	for (int i = 0; i < pools.m_contacts.size(); ++i)
 	{
-		const btSolverConstraint& contact = pools.m_contacts[i];
+		btSolverConstraint& contact = pools.m_contacts[i];
 		const int r = addContactRow(contact, pools).m_row;
 		SystemInput::Bounded& row = m_input.m_rows[r];
 		SystemInput::Guess& guess = m_input.m_guess[r];
 		row.m_lower = 0;
 		row.m_upper = UNBOUNDED;
 		guess.m_bound = -1;
+		m_recovery.addContact(contact, info, m_input, r);
 		const btManifoldPoint* const point = static_cast<const btManifoldPoint*>(contact.m_originalContactPoint);
 		if (!point)
 			continue;
@@ -291,19 +300,21 @@ void DirectForm::addFriction(const btConstraintArray& rows, int firstContact, bo
 
 // ---- the solution
 
-bool DirectForm::solve(const SolverPools& pools, bool hasTwoFrictionDirections)
+bool DirectForm::solve(const SolverPools& pools, const btContactSolverInfo& info)
 {
 	addBodies(pools);
 	m_firstRow = m_input.getNumSingleRows();
 	for (int i = 0; i < pools.m_constraints.size(); ++i)
 		addRow(pools.m_constraints[i], pools);
-	addContacts(pools, hasTwoFrictionDirections);
+	addContacts(pools, info);
 	// The first joint of an island keeps the island's id.
-	return m_system.solve(m_input, m_joints[0].m_works->m_islandId);
+	return m_recovery.solve(m_system, m_input, m_joints[0].m_works->m_islandId);
 }
 
-void DirectForm::writeResult(const SolverPools& pools) const
+void DirectForm::writeResult(const SolverPools& pools, const btContactSolverInfo& info) const
 {
+	// Bullet turns bodies by a share of what it is told.
+	const double turnShare = info.m_splitImpulseTurnErp > 0 ? double(info.m_splitImpulseTurnErp) : 1;
 	for (int i = 0; i < pools.m_bodies.size(); ++i)
 	{
 		btSolverBody& body = pools.m_bodies[i];
@@ -320,6 +331,14 @@ void DirectForm::writeResult(const SolverPools& pools) const
 				body.internalGetDeltaLinearVelocity()[k] = 0;
 			if (angular[k] == 0)
 				body.internalGetDeltaAngularVelocity()[k] = 0;
+		}
+		if (!m_recovery.hasMotion())
+			continue;
+		const double* motion = m_recovery.getMotion(m_index[i]);
+		for (int k = 0; k < 3; ++k)
+		{
+			body.internalGetPushVelocity()[k] += linear[k] == 0 ? btScalar(0) : btScalar(motion[k]);
+			body.internalGetTurnVelocity()[k] += angular[k] == 0 ? btScalar(0) : btScalar(motion[3 + k] / turnShare);
 		}
 	}
 	btConstraintArray* const written[] = {&pools.m_constraints, &pools.m_contacts, &pools.m_friction,
@@ -343,12 +362,33 @@ btVector3 DirectForm::dampingImpulse(const Joint& joint) const
 	return sum;
 }
 
+/// Tells a joint's step how its bodies' places move apart beside their velocities, and what it does against it.
+void DirectForm::giveRecovery(const Joint& joint) const
+{
+	btVector3 linear[2], angular[2];
+	for (int side = 0; side < 2; ++side)
+	{
+		linear[side].setZero();
+		angular[side].setZero();
+		const double* const motion = joint.m_bodies[side] >= 0 ? m_recovery.getMotion(joint.m_bodies[side]) : nullptr;
+		for (int i = 0; motion && i < 3; ++i)
+		{
+			linear[side][i] = btScalar(motion[i]);
+			angular[side][i] = btScalar(motion[3 + i]);
+		}
+	}
+	joint.m_works->m_step.setRecovery(linear, angular, m_recovery.getImpulses(joint.m_firstRow),
+									  m_recovery.getBounds(joint.m_firstRow));
+}
+
 void DirectForm::finish()
 {
 	const signed char between[BT_EP_DOF_COUNT] = {};
 	for (int j = 0; j < m_joints.size(); ++j)
 	{
 		const Joint& joint = m_joints[j];
+		if (m_recovery.hasMotion())
+			giveRecovery(joint);
 		if (joint.m_numDamping > 0)
 			joint.m_works->m_step.setDampingImpulse(dampingImpulse(joint));
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),

@@ -5,6 +5,7 @@
 #define BT_ELASTIC_PLASTIC_DIRECT_FORM_H
 
 #include "../joint/JointWorks.h"
+#include "Recovery.h"
 #include "SolverPools.h"
 #include "System.h"
 
@@ -28,10 +29,13 @@ public:
 	bool hasJoints() const { return m_joints.size() > 0; }
 
 	/// Adds Bullet's rows and solves. \return false if it does not converge
-	bool solve(const SolverPools& pools, bool hasTwoFrictionDirections);
+	bool solve(const SolverPools& pools, const btContactSolverInfo& info);
 
-	/// After solve(): gives bodies their changes of velocity and Bullet's rows their impulses.
-	void writeResult(const SolverPools& pools) const;
+	/// After solve(): gives bodies their changes of velocity and the motion of their places, and Bullet's rows their impulses.
+	void writeResult(const SolverPools& pools, const btContactSolverInfo& info) const;
+
+	/// Does the solution move places beside velocities? Bullet then has to be told to.
+	bool movesPlaces() const { return m_joints.size() > 0 && m_recovery.hasMotion(); }
 
 	/// Gives joints their impulses, after Bullet has finished the step's solution.
 	void finish();
@@ -44,6 +48,7 @@ private:
 	{
 		JointWorks* m_works;
 		int m_firstRow;    ///< of the system
+		int m_bodies[2];   ///< of the system, -1: does not move
 		int m_unit;        ///< of the system, if its bodies are free
 		int m_numDamping;  ///< rows of tension damping, the unit's last ones
 		bool m_isCut;  ///< whether Bullet's breaking threshold has replaced a bound; a row at this bound does not flow
@@ -53,14 +58,16 @@ private:
 	int addUnit(const JointRows& rows, const int solverBodies[2]);
 	void addDamping(const JointRows& rows, const btVector3& spin, const Joint& joint);
 	btVector3 dampingImpulse(const Joint& joint) const;
+	void giveRecovery(const Joint& joint) const;
 	void addUnitAsSingleRows(const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
 	SystemInput::SingleRow& addRow(const btSolverConstraint& row, const SolverPools& pools);
 	SystemInput::SingleRow& addContactRow(const btSolverConstraint& row, const SolverPools& pools);
-	void addContacts(const SolverPools& pools, bool hasTwoDirections);
+	void addContacts(const SolverPools& pools, const btContactSolverInfo& info);
 	void addFriction(const btConstraintArray& rows, int firstContact, bool isRolling, const SolverPools& pools);
 
 	SystemInput m_input;
 	System m_system;
+	Recovery m_recovery;
 	btAlignedObjectArray<Joint> m_joints;
 	btAlignedObjectArray<int> m_index;  ///< index in the system of each solver body, -1: it does not move
 	int m_firstRow = 0;                 ///< index of the single row that stands for the first row in Bullet's pools

@@ -130,11 +130,11 @@ btScalar IslandSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bod
 {
 	if (m_direct.hasJoints())
 	{
-		if (m_direct.solve(pools(), (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0))
+		if (m_direct.solve(pools(), info))
 		{
 			solveGroupCacheFriendlySplitImpulseIterations(bodies, numBodies, manifolds, numManifolds, constraints,
 														  numConstraints, info, debugDrawer);
-			m_direct.writeResult(pools());
+			m_direct.writeResult(pools(), info);
 			return 0;
 		}
 		fallBack(constraints, numConstraints, info);
@@ -157,7 +157,15 @@ btScalar IslandSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies,
 													 const btContactSolverInfo& info)
 {
 	m_iterative.finish(pools());
-	btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, info);
+	// Bullet moves places beside velocities only in this mode.
+	btContactSolverInfo finishing = info;
+	if (m_direct.movesPlaces())
+	{
+		finishing.m_splitImpulse = 1;
+		if (!(finishing.m_splitImpulseTurnErp > 0))
+			finishing.m_splitImpulseTurnErp = 1;
+	}
+	btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, finishing);
 	m_direct.finish();
 	return 0;
 }

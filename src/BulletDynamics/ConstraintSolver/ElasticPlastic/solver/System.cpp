@@ -21,6 +21,10 @@ const double ROUNDING = 1e-12;
 /// The number of steps that are still made when the predicted gain is only rounding, for exactness. More would not help: rows
 /// whose impulses differ from a bound by rounding may change sides for ever.
 const int ROUNDING_STEPS = 3;
+/// Hard rows make the step itself inexact: two sets of bounds may take turns a little above that. After so many steps below this
+/// gain the last one is as good as any.
+const double TURNING = 1e-10;
+const int TURNING_STEPS = 10;
 
 // ---- the line search
 
@@ -189,7 +193,7 @@ bool System::newton(const SystemInput& input)
 	if (!m_boundsChanged)
 		return true;
 	double phi = findResidual(input);
-	int roundings = 0;
+	int roundings = 0, turns = 0;
 	for (int step = 0; step < m_settings.m_maxNewtonSteps; ++step)
 	{
 		m_step = m_residual;
@@ -200,6 +204,8 @@ bool System::newton(const SystemInput& input)
 		for (size_t i = 0; i < m_step.size(); ++i)
 			slope -= m_residual[i] * m_step[i];
 		if (-slope <= ROUNDING * m_phiTerms && ++roundings > ROUNDING_STEPS)
+			return true;
+		if (-slope <= TURNING * m_phiTerms && ++turns > TURNING_STEPS)
 			return true;
 		m_start = m_velocity;
 		move(1);
@@ -280,6 +286,26 @@ bool System::search(SystemInput& input)
 	for (double v : m_velocity)
 		solved = solved && fabs(v) < FASTEST;
 	return solved;
+}
+
+bool System::solveAgain(SystemInput& input)
+{
+	m_matrixIsCurrent = false;
+	return search(input);
+}
+
+SystemResult System::getResult() const
+{
+	SystemResult result;
+	result.m_velocity = m_velocity;
+	m_law.getResult(result.m_impulses, result.m_bounds);
+	return result;
+}
+
+void System::setResult(const SystemResult& result)
+{
+	m_velocity = result.m_velocity;
+	m_law.setResult(result.m_impulses, result.m_bounds);
 }
 
 bool System::solve(SystemInput& input, int& islandId)

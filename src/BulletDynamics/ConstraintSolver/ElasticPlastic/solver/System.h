@@ -14,6 +14,14 @@
 
 namespace btElasticPlastic
 {
+/// The solution of a System.
+struct SystemResult
+{
+	std::vector<double> m_velocity;     ///< dv, 6 by body
+	std::vector<double> m_impulses;     ///< by row
+	std::vector<signed char> m_bounds;  ///< by row: -1 at the lower, 1 at the upper bound, 0 between
+};
+
 /// A velocity-level problem of bodies and bounded, compliant rows, solved directly.
 ///
 /// Find the change of velocity dv and impulses lambda with
@@ -46,6 +54,12 @@ public:
 	/// \param islandId  the id that the last solution of the same island has left here, 0: none; gets the id for the next one
 	/// \return false if the search does not converge: then the result means nothing
 	bool solve(SystemInput& input, int& islandId);
+
+	/// Solves the last problem again with other targets and bounds, from its solution on.
+	bool solveAgain(SystemInput& input);
+
+	SystemResult getResult() const;
+	void setResult(const SystemResult& result);
 
 	// The result, by body and by row.
 
