@@ -20,6 +20,9 @@ struct btElasticPlasticState
 	btScalar m_lastStep = 0;       ///< [s]
 	btScalar m_force[6] = {};      ///< f_n [N], [N m]
 	btScalar m_forceRate[6] = {};  ///< (f_n - f_(n-1)) / dt [N/s], [N m/s]
+	btScalar m_withheld[6] = {};   ///< drift that shorter steps still have to take back [m], [rad]
+	btScalar m_withheldStep = 0;   ///< length of the step that left it [s]
+	bool m_solvedExactly = false;  ///< the last step, by a solver that knows which rows are at a bound
 	btScalar m_applied[6] = {};    ///< mean force that was applied in the last substep [N], [N m]
 	bool m_yielded = false;        ///< has flowed at least once
 	bool m_broken = false;

@@ -94,8 +94,8 @@ bool JointModel::accepts(const btElasticPlasticState& state) const
 	double sum = state.m_work;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
-		sum += double(state.m_plastic[i]) + double(state.m_forceRate[i]) + double(state.m_applied[i]) +
-			   (i < 3 ? double(state.m_initial[i]) : 0.);
+		sum += double(state.m_plastic[i]) + double(state.m_withheld[i]) + double(state.m_forceRate[i]) +
+			   double(state.m_applied[i]) + (i < 3 ? double(state.m_initial[i]) : 0.);
 		// A force on the yield value may be rounded to either side of it.
 		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * (1 + 8 * SIMD_EPSILON) : btScalar(0);
 		if (!(btFabs(state.m_force[i]) <= most) || !(state.m_plasticPath[i] >= 0))
@@ -103,6 +103,7 @@ bool JointModel::accepts(const btElasticPlasticState& state) const
 		sum += double(state.m_plasticPath[i]);
 	}
 	return btElasticPlasticIsFinite(sum) && state.m_plasticEnergy >= 0 && state.m_lastStep >= 0 &&
+		   state.m_withheldStep >= 0 && btElasticPlasticIsFinite(double(state.m_withheldStep)) &&
 		   btElasticPlasticIsFinite(state.m_plasticEnergy) && btElasticPlasticIsFinite(double(state.m_lastStep));
 }
 
@@ -114,7 +115,7 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
 		if (m_capacity.isElasticPlastic(i))
 			m_dofs |= 1u << i;
 		else
-			m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = 0;
+			m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = m_state.m_withheld[i] = 0;
 	if (!m_hasReference)
 		takeRoundingAsReference();
 	else
@@ -157,9 +158,9 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 		const bool wasSpring = before.isElasticPlastic(i) && !before.isRigidPlastic(i);
 		if (!isSpring || !wasSpring || m_capacity.m_stiffness[i] == before.m_stiffness[i])
 			continue;
-		const btScalar old = m_state.m_force[i] / before.m_stiffness[i];
-		m_state.m_force[i] = btMax(-m_capacity.m_yield[i], btMin(m_capacity.m_yield[i], m_state.m_force[i]));
-		change[i] = old - m_state.m_force[i] / m_capacity.m_stiffness[i];
+		// A force beyond a lower yield value flows off in the next step.
+		change[i] = m_state.m_force[i] / before.m_stiffness[i] - m_state.m_force[i] / m_capacity.m_stiffness[i];
+		m_state.m_forceRate[i] = 0;
 	}
 	moveReference(change);
 }
@@ -189,7 +190,7 @@ void JointModel::setReferenceToCurrentPose()
 	m_state.m_plasticRotation = rotation.m_relative;
 	m_state.m_plasticMiddle = rotation.m_middle;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = 0;
+		m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = m_state.m_withheld[i] = 0;
 }
 
 void JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])

@@ -91,40 +91,35 @@ bool JointStep::evaluate(btScalar dt)
 	}
 	m_dt = dt;
 	takeBackKinematicMotion();
-	takeBackDrift();
+	withholdDrift();
 	return true;
 }
 
-/// Takes that part of the drift out of the strain that a shorter step must not correct.
-///
-/// The measured strain is the law's elastic deformation, force over stiffness, and a drift: in a step of straight motion a
-/// body that turns about a joint leaves its circle by r (w dt)^2 / 2. With a constant step the law corrects the drift with a
-/// part of the force that keeps the body on its circle. A shorter step would correct all of it in its shorter time, with many
-/// times that force, and a stiff joint would yield under hardly any load. Therefore a step that is shorter by a factor s
-/// keeps s^2 of the drift, as much as it leaves itself. The joint's reference moves by the rest at the end of the step.
-void JointStep::takeBackDrift()
+/// The strain that is measured is the law's, force over stiffness, and a drift: what the straight motion of a step has left beside
+/// it, as a body that turns about a joint leaves its circle by r (w dt)^2 / 2 in every step. At an even step the law takes the drift
+/// back with a part of the force that holds the body on its circle. A step that is shorter by a factor s would take all of it back
+/// in its shorter time, with 1 / s^2 times that force, and a stiff joint would yield at rest. So it meets s^2 of the drift, what it
+/// will leave itself. The rest is withheld, and each later step meets s^2 of what is left, until all of it has been taken back.
+void JointStep::withholdDrift()
 {
-	const btScalar last = m_model.m_state.m_lastStep;
-	// What an iterative solver has left unsolved is no drift.
-	m_hasDrift = m_dt < last && !m_model.m_isPaper && m_wasSolvedExactly;
-	if (!m_hasDrift)
-		return;
-	const btScalar share = m_dt / last;
+	const btElasticPlasticState& state = m_model.m_state;
+	const btScalar last = state.m_lastStep;
+	const bool isShorter = m_dt < last && state.m_solvedExactly && !m_model.m_isPaper;
+	m_withheldStep = isShorter ? btMax(last, state.m_withheldStep) : state.m_withheldStep;
+	const btScalar met = m_withheldStep > m_dt ? m_dt / m_withheldStep * (m_dt / m_withheldStep) : btScalar(1);
+	bool isAnyLeft = false;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
-		m_drift[i] = 0;
-		if (!m_model.isElasticPlastic(i) || m_model.m_capacity.isRigidPlastic(i))
-			continue;
-		m_drift[i] = (m_kinematics.m_strain[i] - m_model.elasticDeformation(i)) * (1 - share * share);
-		m_kinematics.m_strain[i] -= m_drift[i];
+		m_withheld[i] = state.m_withheld[i];
+		const bool isSpring = m_model.isElasticPlastic(i) && !m_model.m_capacity.isRigidPlastic(i);
+		if (isShorter && isSpring)
+			m_withheld[i] = m_kinematics.m_strain[i] - m_model.elasticDeformation(i);
+		m_withheld[i] = isSpring ? m_withheld[i] * (1 - met) : btScalar(0);
+		m_kinematics.m_strain[i] -= m_withheld[i];
+		isAnyLeft |= m_withheld[i] != 0;
 	}
-}
-
-void JointStep::giveUpDrift()
-{
-	if (m_hasDrift)
-		m_model.moveReference(m_drift);
-	m_hasDrift = false;
+	if (!isAnyLeft)
+		m_withheldStep = 0;
 }
 
 DofState JointStep::dofState(int dof) const
@@ -239,7 +234,6 @@ ReturnMapping JointStep::returnMap(int r) const
 int JointStep::commit()
 {
 	m_numCommittedRows = m_numRows;
-	m_wasSolvedExactly = m_numRows > 0 && m_row[0].m_isBoundKnown;
 	if (m_numRows == 0)
 		return NOTHING;
 	const Kinematics& k = m_kinematics;
@@ -275,8 +269,11 @@ int JointStep::commit()
 		state.m_plasticEnergy += double(m_model.m_capacity.m_yield[i]) * btFabs(double(mapped.m_increment));
 		flowed = true;
 	}
-	giveUpDrift();
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		state.m_withheld[i] = m_withheld[i];
+	state.m_withheldStep = m_withheldStep;
 	state.m_lastStep = m_dt;
+	state.m_solvedExactly = m_row[0].m_isBoundKnown;
 	state.m_work -= 0.5 * work;
 	revert();
 	m_model.moveReference(unloaded);

@@ -126,8 +126,7 @@ private:
 		bool m_isForStock;
 	};
 
-	void takeBackDrift();
-	void giveUpDrift();
+	void withholdDrift();
 	DofState dofState(int dof) const;
 	PaperLaw paperLaw(int dof) const;
 	ReturnMapping returnMap(int r) const;
@@ -137,10 +136,8 @@ private:
 	int m_numRows = 0;
 	int m_numCommittedRows = 0;
 	btScalar m_dt = 0;
-	bool m_wasSolvedExactly = false;  ///< the last step, by a solver that knows which rows are at a bound
-	bool m_hasDrift = false;
-	btScalar
-		m_drift[BT_EP_DOF_COUNT];  ///< strain by which the reference moves at the end of the step, see takeBackDrift()
+	btScalar m_withheld[BT_EP_DOF_COUNT];  ///< strain that this step leaves to later ones, see withholdDrift()
+	btScalar m_withheldStep = 0;
 	/// Motion of places beside velocities, by row.
 	struct RecoveryRow
 	{

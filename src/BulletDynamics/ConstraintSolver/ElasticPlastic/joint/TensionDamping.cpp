@@ -13,13 +13,11 @@ namespace
 const btScalar RESOLVED = 1;
 /// Of z at which damping has to grow, a quarter of what a row of equal blocks bears.
 const btScalar LIMIT = 20;
-/// Cosine of the angle within which an axis is the line of centres.
-const btScalar ALONG = btScalar(0.9);
 
-btScalar leastInertia(const btRigidBody& body)
+/// How easily the pair turns against each other about an axis [1 / (kg m^2)].
+btScalar mobilityAbout(const btRigidBody& a, const btRigidBody& b, const btVector3& axis)
 {
-	const btVector3& inverse = body.getInvInertiaDiagLocal();
-	return 1 / btMax(inverse.x(), btMax(inverse.y(), inverse.z()));
+	return axis.dot((a.getInvInertiaTensorWorld() + b.getInvInertiaTensorWorld()) * axis);
 }
 }  // namespace
 
@@ -39,16 +37,11 @@ TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, 
 	if (!(tension > 0 && armA > 0 && armB > 0))
 		return damping;
 	const btScalar stiffness = tension * armA * armB / length;
-	const btScalar z = 2 * stiffness * dt * dt * (1 / leastInertia(A) + 1 / leastInertia(B));
-	if (!(z > RESOLVED) || !btElasticPlasticIsFinite(z))
-		return damping;
-	damping.m_factor = stiffness * dt * dt * btMax(btScalar(1), z / LIMIT);
-	bool hasAlong = false;
-	for (int i = 0; i < 3; ++i)
-		hasAlong |= btFabs(k.m_axis[i].dot(along)) > ALONG;
-	// A line askew to all axes has damping about all of them, its own direction included.
-	for (int i = 0; i < 3; ++i)
-		damping.m_isAbout[i] = !hasAlong || btFabs(k.m_axis[i].dot(along)) <= ALONG;
+	btPlaneSpace1(along, damping.m_across[0], damping.m_across[1]);
+	const btScalar mobility = btMax(mobilityAbout(A, B, damping.m_across[0]), mobilityAbout(A, B, damping.m_across[1]));
+	const btScalar z = 2 * stiffness * dt * dt * mobility;
+	if (z > RESOLVED && btElasticPlasticIsFinite(z))
+		damping.m_factor = stiffness * dt * dt * btMax(btScalar(1), z / LIMIT);
 	return damping;
 }
 }  // namespace btElasticPlastic

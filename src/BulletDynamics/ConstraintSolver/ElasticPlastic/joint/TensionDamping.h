@@ -29,8 +29,8 @@ namespace btElasticPlastic
 /// Compression gives a negative stiffness, which is buckling, and is left to the step as it is.
 struct TensionDamping
 {
-	btScalar m_factor = 0;   ///< g [N m s / (rad/s)], 0: none
-	bool m_isAbout[3] = {};  ///< which of the joint's axes
+	btScalar m_factor = 0;  ///< g [N m s / (rad/s)], 0: none
+	btVector3 m_across[2];  ///< the two directions, unit length
 
 	/// \param k   the joint's axes and arms
 	/// \param dt  of the step [s]

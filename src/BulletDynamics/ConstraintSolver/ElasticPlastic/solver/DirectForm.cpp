@@ -125,17 +125,10 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 									   B.m_linearVelocity - B.m_externalForceImpulse - wB.cross(k.m_rB),
 								   wA - wB};
 	const double most = joint.m_model.m_constraint.getBreakingImpulseThreshold();
-	Joint entry = {&joint,
-				   m_input.getNumRows(),
-				   {m_index[solverBodies[0]], m_index[solverBodies[1]]},
-				   int(m_input.m_units.size()),
-				   0,
-				   false};
-	if (isFree(A) && isFree(B))
-	{
-		entry.m_numDamping = addUnit(rows, solverBodies);
-		addDamping(rows, velocity[1], entry);
-	}
+	Joint entry = {&joint, m_input.getNumRows(), {m_index[solverBodies[0]], m_index[solverBodies[1]]}, -1, false};
+	const bool isUnit = isFree(A) && isFree(B);
+	if (isUnit)
+		addUnit(rows, solverBodies);
 	else
 		addUnitAsSingleRows(rows, solverBodies, pools);
 	for (int r = 0; r < rows.m_numRows; ++r)
@@ -150,17 +143,18 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 		m_input.m_guess[entry.m_firstRow + r].m_bound = from.m_bound;
 		entry.m_isCut |= row.m_lower > lower || row.m_upper < upper;
 	}
+	if (isUnit && rows.m_damping.m_factor > 0)
+	{
+		entry.m_firstDamping = m_input.getNumSingleRows();
+		addDamping(rows.m_damping, velocity[1], entry.m_bodies);
+	}
 	m_joints.push_back(entry);
 }
 
-/// \return number of rows of tension damping, which come last
-int DirectForm::addUnit(const JointRows& rows, const int solverBodies[2])
+void DirectForm::addUnit(const JointRows& rows, const int solverBodies[2])
 {
 	const Kinematics& k = rows.m_kinematics;
-	int numDamping = 0;
-	for (int i = 0; i < 3; ++i)
-		numDamping += rows.m_damping.m_isAbout[i];
-	SystemInput::Unit& unit = m_input.addUnit(rows.m_numRows + numDamping);
+	SystemInput::Unit& unit = m_input.addUnit(rows.m_numRows);
 	for (int i = 0; i < 3; ++i)
 	{
 		for (int axis = 0; axis < 3; ++axis)
@@ -170,24 +164,26 @@ int DirectForm::addUnit(const JointRows& rows, const int solverBodies[2])
 	}
 	for (int side = 0; side < 2; ++side)
 		unit.m_body[side] = m_index[solverBodies[side]];
-	int r = 0;
-	for (; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
+	for (int r = 0; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
 		unit.m_dof[r] = static_cast<signed char>(rows.m_row[r].m_dof);
-	for (int i = 0; i < 3; ++i)
-		if (rows.m_damping.m_isAbout[i])
-			unit.m_dof[r++] = static_cast<signed char>(3 + i);
-	return numDamping;
 }
 
 /// \param spin  relative, with external torques
-void DirectForm::addDamping(const JointRows& rows, const btVector3& spin, const Joint& joint)
+void DirectForm::addDamping(const TensionDamping& damping, const btVector3& spin, const int bodies[2])
 {
-	const SystemInput::Unit& unit = m_input.m_units.back();
-	for (int r = rows.m_numRows; r < unit.m_numRows; ++r)
+	for (const btVector3& axis : damping.m_across)
 	{
-		const btVector3& axis = rows.m_kinematics.m_axis[unit.m_dof[r] - 3];
-		m_input.m_rows[joint.m_firstRow + r] = {-double(spin.dot(axis)), 1 / double(rows.m_damping.m_factor),
-												-UNBOUNDED, UNBOUNDED};
+		SystemInput::SingleRow& row = m_input.addSingleRow();
+		for (int i = 0; i < 3; ++i)
+		{
+			row.m_J[i] = row.m_J[6 + i] = 0;
+			row.m_J[3 + i] = axis[i];
+			row.m_J[9 + i] = -axis[i];
+		}
+		row.m_body[0] = bodies[0];
+		row.m_body[1] = bodies[1];
+		m_input.m_rows[size_t(row.m_row)] = {-double(spin.dot(axis)), 1 / double(damping.m_factor), -UNBOUNDED,
+											 UNBOUNDED};
 	}
 }
 
@@ -351,13 +347,12 @@ void DirectForm::writeResult(const SolverPools& pools, const btContactSolverInfo
 
 btVector3 DirectForm::dampingImpulse(const Joint& joint) const
 {
-	const SystemInput::Unit& unit = m_input.m_units[size_t(joint.m_unit)];
 	btVector3 sum(0, 0, 0);
-	for (int r = unit.m_numRows - joint.m_numDamping; r < unit.m_numRows; ++r)
+	for (int r = joint.m_firstDamping; r < joint.m_firstDamping + 2; ++r)
 	{
-		const double* const axis = unit.m_axis[unit.m_dof[r] - 3];
-		sum += btVector3(btScalar(axis[0]), btScalar(axis[1]), btScalar(axis[2])) *
-			   btScalar(m_system.getImpulse(unit.m_firstRow + r));
+		const SystemInput::SingleRow& row = m_input.m_singleRows[size_t(r)];
+		sum += btVector3(btScalar(row.m_J[3]), btScalar(row.m_J[4]), btScalar(row.m_J[5])) *
+			   btScalar(m_system.getImpulse(row.m_row));
 	}
 	return sum;
 }
@@ -389,7 +384,7 @@ void DirectForm::finish()
 		const Joint& joint = m_joints[j];
 		if (m_recovery.hasMotion())
 			giveRecovery(joint);
-		if (joint.m_numDamping > 0)
+		if (joint.m_firstDamping >= 0)
 			joint.m_works->m_step.setDampingImpulse(dampingImpulse(joint));
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),
 								   joint.m_isCut ? between : m_system.getBounds(joint.m_firstRow));

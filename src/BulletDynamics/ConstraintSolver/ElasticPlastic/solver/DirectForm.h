@@ -47,16 +47,15 @@ private:
 	struct Joint
 	{
 		JointWorks* m_works;
-		int m_firstRow;    ///< of the system
-		int m_bodies[2];   ///< of the system, -1: does not move
-		int m_unit;        ///< of the system, if its bodies are free
-		int m_numDamping;  ///< rows of tension damping, the unit's last ones
+		int m_firstRow;      ///< of the system
+		int m_bodies[2];     ///< of the system, -1: does not move
+		int m_firstDamping;  ///< single row of its tension damping, which has two; -1: none
 		bool m_isCut;  ///< whether Bullet's breaking threshold has replaced a bound; a row at this bound does not flow
 	};
 
 	void addBodies(const SolverPools& pools);
-	int addUnit(const JointRows& rows, const int solverBodies[2]);
-	void addDamping(const JointRows& rows, const btVector3& spin, const Joint& joint);
+	void addUnit(const JointRows& rows, const int solverBodies[2]);
+	void addDamping(const TensionDamping& damping, const btVector3& spin, const int bodies[2]);
 	btVector3 dampingImpulse(const Joint& joint) const;
 	void giveRecovery(const Joint& joint) const;
 	void addUnitAsSingleRows(const JointRows& rows, const int solverBodies[2], const SolverPools& pools);

@@ -46,7 +46,7 @@ struct SystemInput
 		int m_body[2];        ///< by index, -1: one that does not move
 		int m_firstRow;       ///< of m_rows
 		int m_numRows;
-		signed char m_dof[9];  ///< of each row: 0 to 2 along, 3 to 5 about an axis; some may come twice
+		signed char m_dof[6];  ///< of each row: 0 to 2 along, 3 to 5 about an axis
 	};
 
 	struct SingleRow
