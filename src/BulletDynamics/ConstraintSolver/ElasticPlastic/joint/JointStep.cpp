@@ -151,7 +151,7 @@ SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForSto
 	else if (m_model.m_isPaper)
 		soft = paperLaw(dof).row(s, m_dt);
 	else
-		soft = ImplicitLaw{isForStock}.row(s, diagonal, m_dt);
+		soft = ImplicitLaw().row(s, diagonal, m_dt, isForStock);
 	row.m_isForStock = isForStock;
 	row.m_lower = soft.m_lower;
 	row.m_upper = soft.m_upper;
@@ -228,7 +228,7 @@ ReturnMapping JointStep::returnMap(int r) const
 		return rigidReturnMap(outcome.m_impulse, outcome.m_trial, outcome.isAtBound(s.m_yield * m_dt), m_dt);
 	if (m_model.m_isPaper)
 		return paperLaw(row.m_dof).returnMap(s, outcome, m_dt);
-	return ImplicitLaw{false}.returnMap(s, outcome, m_dt);
+	return ImplicitLaw().returnMap(s, outcome, m_dt);
 }
 
 int JointStep::commit()

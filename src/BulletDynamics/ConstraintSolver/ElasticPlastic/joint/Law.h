@@ -184,11 +184,10 @@ inline ReturnMapping rigidReturnMap(btScalar impulse, btScalar strain, bool atBo
 /// The default law: an elastic-perfectly plastic spring, implicit.
 struct ImplicitLaw
 {
-	bool m_isForStock;  ///< the row is for one of Bullet's own solvers
-
-	SoftRow row(const DofState& s, btScalar diagonal, btScalar dt) const
+	/// \param isForStock  the row is for one of Bullet's own solvers, which leave compliance out of the diagonal
+	SoftRow row(const DofState& s, btScalar diagonal, btScalar dt, bool isForStock) const
 	{
-		return m_isForStock ? stockRow(s, diagonal, dt) : implicitRow(s, diagonal, dt);
+		return isForStock ? stockRow(s, diagonal, dt) : implicitRow(s, diagonal, dt);
 	}
 
 	/// Return mapping of the trial deformation: the part beyond yield is plastic, if the solver has ended with the row at its

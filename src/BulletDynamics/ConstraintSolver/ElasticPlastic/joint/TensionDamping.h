@@ -18,7 +18,7 @@ namespace btElasticPlastic
 /// against turning relative to each other at a right angle to the line (for a straight row of equal blocks that is the whole of the
 /// highest mode's stiffness; compared with turns of the bodies by themselves it leaves alone what turns as a whole). Bullet's step
 /// takes the arms as they are at its beginning: the stiffness is explicit, and unstable once it turns the lighter body through more
-/// than 2 radians of its period in a step. So the step's end is brought in: a row about each of the two axes asks for
+/// than 2 radians of its period in a step. So the step's end is brought in: a row about each of two directions across the line asks for
 /// lambda = -g (relative spin at the end of the step), the change of the torque over the step, with g = k dt^2.
 ///
 /// Longer waves of a row of blocks have only a share of their stiffness in relative turns, by the square of the sine of half
