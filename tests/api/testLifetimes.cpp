@@ -67,8 +67,8 @@ struct Parts
 
 	explicit Parts(Solver solver) : m_solver(make(solver))
 	{
-		m_world = std::make_unique<btDiscreteDynamicsWorld>(&m_dispatcher, &m_broadphase, m_solver.get(),
-															&m_configuration);
+		m_world =
+			std::make_unique<btDiscreteDynamicsWorld>(&m_dispatcher, &m_broadphase, m_solver.get(), &m_configuration);
 		m_world->setGravity(btVector3(0, -10, 0));
 		m_world->addAction(m_action.get());
 	}
@@ -97,8 +97,8 @@ struct Parts
 												 const btElasticPlasticCapacity& capacity)
 	{
 		const btVector3 half = (b.getCenterOfMassPosition() - a.getCenterOfMassPosition()) / 2;
-		m_joints.emplace_back(new btElasticPlastic6DofSpring2Constraint(
-			a, b, at(half.x(), half.y(), half.z()), at(-half.x(), -half.y(), -half.z())));
+		m_joints.emplace_back(new btElasticPlastic6DofSpring2Constraint(a, b, at(half.x(), half.y(), half.z()),
+																		at(-half.x(), -half.y(), -half.z())));
 		m_joints.back()->setCapacity(capacity);
 		return m_joints.back().get();
 	}
@@ -162,8 +162,8 @@ struct Overlap : Parts
 TEST(Lifetimes, AnyOrderOfDeletionWhileBodiesOverlap)
 {
 	typedef std::function<void(Overlap&)> Deletion;
-	const Deletion action = [](Overlap& s) { s.deleteAction(); }, world = [](Overlap& s) { s.deleteWorld(); },
-				   joint = [](Overlap& s) { s.deleteJoints(); };
+	const Deletion action = [](Overlap&s) { s.deleteAction(); }, world = [](Overlap&s) { s.deleteWorld(); },
+				   joint = [](Overlap&s) { s.deleteJoints(); };
 	const Deletion orders[][3] = {{action, world, joint}, {action, joint, world}, {world, action, joint},
 								  {world, joint, action}, {joint, action, world}, {joint, world, action}};
 	for (Solver solver : SOLVERS)
@@ -455,8 +455,8 @@ TEST(Lifetimes, ABodyIsNotJoinedToItself)
 		scene.m_action->setListener(&diary);
 		btRigidBody* body = scene.body(100, btVector3(0, 5, 0));
 		scene.m_world->addRigidBody(body);
-		scene.m_joints.emplace_back(new btElasticPlastic6DofSpring2Constraint(*body, *body, at(btScalar(0.2)),
-																			  at(btScalar(-0.2))));
+		scene.m_joints.emplace_back(
+			new btElasticPlastic6DofSpring2Constraint(*body, *body, at(btScalar(0.2)), at(btScalar(-0.2))));
 		EXPECT_FALSE(scene.m_joints[0]->setCapacity(strong()));
 		scene.m_world->addConstraint(scene.m_joints[0].get(), true);
 		EXPECT_FALSE(scene.m_action->addJoint(scene.m_joints[0].get()));

@@ -317,7 +317,8 @@ TEST(HardInput, StepsThatAreNone)
 			EXPECT_EQ(before.m_work, joint->getWork());
 			EXPECT_EQ(time, pair.m_world.action().getTime());
 			ASSERT_EQ(1u, refusals.m_badSteps.size());
-			EXPECT_TRUE(refusals.m_badSteps[0] == bad || (bad != bad && refusals.m_badSteps[0] != refusals.m_badSteps[0]));
+			EXPECT_TRUE(refusals.m_badSteps[0] == bad ||
+						(bad != bad && refusals.m_badSteps[0] != refusals.m_badSteps[0]));
 			EXPECT_EQ(bad < 0, isFinite(*pair.m_b)) << int(solver);
 		}
 }
@@ -590,8 +591,9 @@ TEST(HardInput, ASpoiltBodyHarmsNobody)
 			for (int spoilt : {6, 3})
 				for (size_t s = 0; s < sizeof spoils / sizeof *spoils; ++s)
 				{
-					const testing::Message which = testing::Message() << "solver " << int(solver) << ", leaves one "
-																	  << leavesOne << ", body " << spoilt << ", way " << s;
+					const testing::Message which = testing::Message()
+												   << "solver " << int(solver) << ", leaves one " << leavesOne
+												   << ", body " << spoilt << ", way " << s;
 					// The twin's body has lost its joints by a refused capacity, so that all constraints keep their order.
 					SpoiltChain chain(solver, leavesOne), twin(solver, leavesOne);
 					spoils[s](*chain.m_bodies[spoilt]);
