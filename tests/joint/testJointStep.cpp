@@ -3,13 +3,22 @@
 
 // One step of a joint: evaluated, taken back, committed.
 
+#include <math.h>
+
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/JointWorks.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
+#include "support/Pair.h"
+#include "support/Precision.h"
 #include "support/Row.h"
 
 namespace
 {
+using namespace ep;
+
 TEST(JointStep, EvaluatingChangesNothing)
 {
 	// Trial and revert: rows may be asked for as often as one likes; only a commit moves the state.
@@ -30,5 +39,169 @@ TEST(JointStep, EvaluatingChangesNothing)
 		EXPECT_EQ(before.m_plastic[i], joint->getState().m_plastic[i]);
 	}
 	EXPECT_EQ(before.m_work, joint->getState().m_work);
+}
+
+/// A body that turns about a stiff hinge. Nothing loads it but what keeps the body on its circle, m w^2 r = 600 N, which is 3 % of
+/// the yield value.
+struct Hinge
+{
+	World m_world;
+	btRigidBody* m_body;
+	btElasticPlasticJoint* m_joint;
+
+	explicit Hinge(Solver solver, JointClass jointClass) : m_world(solver, btVector3(0, 0, 0))
+	{
+		btCollisionShape* cube = m_world.box(btVector3(1, 1, 1));
+		btRigidBody* support = m_world.body(0, cube, at(0), false);
+		m_body = m_world.body(100, cube, at(btScalar(1.5)), false);
+		btElasticPlasticCapacity capacity;
+		for (int i = 0; i < BT_EP_BENDING_Z; ++i)
+			capacity.set(i, btScalar(1e9), btScalar(2e4), btScalar(0.01));
+		m_joint = m_world.joint(*support, *m_body, at(0), capacity, jointClass);
+		m_body->setLinearVelocity(btVector3(0, 3, 0));
+		m_body->setAngularVelocity(btVector3(0, 0, 2));
+	}
+
+	void expectNoFlow(const testing::Message& when) const
+	{
+		EXPECT_EQ(0, m_joint->getPlasticEnergy()) << when;
+		EXPECT_EQ(0, m_joint->getDamage()) << when;
+		EXPECT_FALSE(m_joint->hasYielded()) << when;
+		EXPECT_FALSE(m_joint->isBroken()) << when;
+	}
+};
+
+TEST(JointStep, AHingeDoesNotFlowWhereTheStepGetsShorter)
+{
+	for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
+		for (int rate : {30, 60, 120})
+		{
+			Hinge hinge(Solver::Direct, jointClass);
+			const btScalar dt = btScalar(1) / btScalar(rate);
+			const double energy = hinge.m_world.kineticEnergy();
+			btElasticPlasticStepControl control;
+			run(hinge.m_world, 20, dt);
+			hinge.expectNoFlow(testing::Message() << "constant step, rate " << rate);
+			for (btScalar shorter : {dt / 10, btScalar(1e-4)})
+			{
+				run(hinge.m_world, 3, shorter);
+				hinge.expectNoFlow(testing::Message() << "step " << shorter << ", rate " << rate);
+				run(hinge.m_world, 3, dt);
+				hinge.expectNoFlow(testing::Message() << "after step " << shorter << ", rate " << rate);
+			}
+			for (int i = 0; i < 3; ++i)
+			{
+				control.expectBlow();
+				control.step(hinge.m_world.bullet(), hinge.m_world.action(), dt);
+				hinge.expectNoFlow(testing::Message() << "step control, rate " << rate);
+			}
+			// Each step of straight motion leaves the circle by an angle of w dt = 1/15 at most, which the next one takes from the
+			// speed: (w dt)^2 / 2 of it a step. Nothing of that may be made.
+			EXPECT_LE(hinge.m_world.kineticEnergy(), energy * (1 + byPrecision(1e-12, 1e-5)));
+		}
+}
+
+TEST(JointStep, ANewStiffnessKeepsTheForce)
+{
+	for (Solver solver : {Solver::Direct, Solver::Iterative})
+		for (double factor : {1000., 1e-3})
+		{
+			// It hangs along the joint's axis: an elastic rotation of a thousand times another would be no rotation any more.
+			Pair pair(solver, 0, 1000, btVector3(10, 0, 0));
+			const double stiffness = 1e6;
+			btElasticPlasticJoint* joint = pair.join(evenCapacity(stiffness));
+			// Comes to rest by Bullet's damping of bodies.
+			pair.m_b->setDamping(btScalar(0.99), btScalar(0.99));
+			run(pair.m_world, 1200);
+			pair.m_b->setDamping(0, 0);
+			double force[BT_EP_DOF_COUNT], largest = 0;
+			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			{
+				force[i] = double(joint->getForce(i));
+				largest = fmax(largest, fabs(force[i]));
+			}
+			ASSERT_GT(largest, 5000);
+			const double kinetic = pair.m_world.kineticEnergy(), held = joint->getElasticEnergy();
+			EXPECT_TRUE(joint->setCapacity(evenCapacity(stiffness * factor)));
+			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+				EXPECT_EQ(force[i], double(joint->getForce(i)));
+			EXPECT_NEAR(held / factor, joint->getElasticEnergy(), held / factor * byPrecision(1e-12, 1e-5));
+			run(pair.m_world, 1, btScalar(1) / 240);
+			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+				// What it still moves in the step, times the new stiffness.
+				EXPECT_NEAR(force[i], double(joint->getForce(i)),
+							largest * 1e-3 + stiffness * factor * sqrt(2 * kinetic / 1000) / 240);
+			double most = 0;
+			for (int i = 0; i < 240; ++i)
+			{
+				run(pair.m_world, 1, btScalar(1) / 240);
+				most = fmax(most, pair.m_world.kineticEnergy());
+			}
+			// The joint bears the weight as before, so nothing has to move but what still did, and what the rounding of places of 1 m
+			// makes of forces: f = 2 epsilon k by the stiffer spring, and f^2 / 2k by the new one.
+			const double rounding = 2 * double(SIMD_EPSILON) * stiffness * fmax(1., factor);
+			EXPECT_LE(most, kinetic * 1.1 + rounding * rounding / (2 * stiffness * factor) + 1e-9 * held)
+				<< "solver " << int(solver) << ", factor " << factor << ", held " << held;
+			EXPECT_LE(most, kinetic + held);
+		}
+}
+
+/// Bullet's own solvers give explicit rows: whatever a fast heavy body does to them, what has borne no force has not flowed.
+TEST(JointStep, NeitherFlowNorBreakWithoutAnImpulse)
+{
+	for (Solver solver : {Solver::Stock, Solver::Nncg, Solver::Mlcp})
+		for (JointClass jointClass : {JointClass::Spring, JointClass::Spring2})
+			for (double speed : {0.1, 1., 10.})
+			{
+				Pair pair(solver, 0, 100000);
+				btElasticPlasticCapacity capacity = evenCapacity(1e6, 10);
+				for (btScalar& ductility : capacity.m_ductility)
+					ductility = btScalar(1e-3);
+				btElasticPlasticJoint* joint = pair.join(capacity, jointClass);
+				pair.m_b->setLinearVelocity(btVector3(btScalar(speed), 0, 0));
+				double before = joint->getPlasticEnergy();
+				for (int i = 0; i < 10 && !joint->isBroken(); ++i)
+				{
+					run(pair.m_world, 1, btScalar(1) / 240);
+					if (joint->getPlasticEnergy() != before)
+					{
+						// The yield value, to the spring's force under the rounding of places of 1 m.
+						EXPECT_GE(fabs(double(joint->getAppliedForce(BT_EP_AXIAL))), 10 - 1e6 * double(SIMD_EPSILON))
+							<< "solver " << int(solver) << ", speed " << speed << ", step " << i;
+					}
+					before = joint->getPlasticEnergy();
+				}
+				EXPECT_TRUE(joint->isBroken()) << "solver " << int(solver) << ", speed " << speed;
+			}
+}
+
+TEST(JointStep, EventsHaveADegreeOfFreedom)
+{
+	for (Solver solver : {Solver::Stock, Solver::Nncg, Solver::Mlcp, Solver::Iterative, Solver::Direct})
+		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+			for (double speed : {0.1, 1., 10.})
+			{
+				Pair pair(solver, 0, 100000);
+				btElasticPlasticCapacity capacity = evenCapacity(1e6, 10);
+				for (btScalar& ductility : capacity.m_ductility)
+					ductility = btScalar(1e-3);
+				pair.join(capacity);
+				btVector3 motion(0, 0, 0);
+				motion[dof % 3] = btScalar(speed);
+				if (dof < 3)
+					pair.m_b->setLinearVelocity(motion);
+				else
+					pair.m_b->setAngularVelocity(motion);
+				run(pair.m_world, 10, btScalar(1) / 240);
+				btElasticPlasticEvent event;
+				int count = 0;
+				while (pair.m_world.action().popEvent(event))
+				{
+					++count;
+					EXPECT_GE(event.m_dof, 0) << "solver " << int(solver) << ", speed " << speed;
+					EXPECT_LT(event.m_dof, int(BT_EP_DOF_COUNT)) << "solver " << int(solver) << ", speed " << speed;
+				}
+				EXPECT_EQ(2, count) << "solver " << int(solver) << ", speed " << speed;
+			}
 }
 }  // namespace

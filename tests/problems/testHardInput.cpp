@@ -3,15 +3,20 @@
 
 // Bad input is refused with an error that names the joint, the value and the valid range; the world stays finite.
 
+#include <math.h>
+
+#include <algorithm>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
-
-#include <algorithm>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "support/DirectSolver.h"
 #include "support/Pair.h"
+#include "support/Precision.h"
 
 namespace
 {
@@ -23,8 +28,15 @@ const btScalar NOT_A_NUMBER = std::numeric_limits<btScalar>::quiet_NaN(),
 struct Refusals : btElasticPlasticListener
 {
 	std::string m_text;
+	int m_count = 0;
+	std::vector<btScalar> m_badSteps;
 
-	void onRefused(btElasticPlasticJoint&, const char* text) override { m_text = text; }
+	void onRefused(btElasticPlasticJoint&, const char* text) override
+	{
+		m_text = text;
+		++m_count;
+	}
+	void onBadStep(btScalar timeStep, const char*) override { m_badSteps.push_back(timeStep); }
 };
 
 /// A support and a body, to be joined badly.
@@ -280,5 +292,362 @@ TEST(HardInput, IsPrintedWithoutAListener)
 	EXPECT_FALSE(world.action().addJoint(constraint));
 	EXPECT_NE(std::string::npos,
 			  testing::internal::GetCapturedStderr().find("stiffness [N/m] of degree of freedom 0 (axial) is -1"));
+}
+
+TEST(HardInput, StepsThatAreNone)
+{
+	for (Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+		for (btScalar bad : {btScalar(-1), NOT_A_NUMBER})
+		{
+			Refusals refusals;
+			Pair pair(solver, 0, 12, btVector3(0, -10, 0));
+			pair.m_world.action().setListener(&refusals);
+			btElasticPlasticJoint* joint = pair.join(evenCapacity(1e6, 1e5));
+			run(pair.m_world, 5);
+			const btElasticPlasticState before = joint->getState();
+			const double time = pair.m_world.action().getTime();
+			pair.m_world.bullet().stepSimulation(bad, 0);
+			pair.m_world.bullet().stepSimulation(bad, 0);
+			// Bullet may have moved the body, but the joint did nothing.
+			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			{
+				EXPECT_EQ(before.m_force[i], joint->getForce(i));
+				EXPECT_EQ(before.m_plastic[i], joint->getPlasticDeformation(i));
+			}
+			EXPECT_EQ(before.m_work, joint->getWork());
+			EXPECT_EQ(time, pair.m_world.action().getTime());
+			ASSERT_EQ(1u, refusals.m_badSteps.size());
+			EXPECT_TRUE(refusals.m_badSteps[0] == bad ||
+						(bad != bad && refusals.m_badSteps[0] != refusals.m_badSteps[0]));
+			EXPECT_EQ(bad < 0, isFinite(*pair.m_b)) << int(solver);
+		}
+}
+
+TEST(HardInput, SolverSettings)
+{
+	btElasticPlasticConstraintSolver solver;
+	EXPECT_TRUE(solver.setNumThreads(2));
+	const auto expectRefused = [&](const char* quantity, const std::function<bool()>& set)
+	{
+		testing::internal::CaptureStderr();
+		EXPECT_FALSE(set()) << quantity;
+		const std::string text = testing::internal::GetCapturedStderr();
+		EXPECT_NE(std::string::npos, text.find(quantity)) << text;
+		const btElasticPlasticSolverSettings& s = solver.getSettings();
+		const btElasticPlasticSolverSettings standard;
+		EXPECT_EQ(2, s.m_numThreads);
+		EXPECT_EQ(standard.m_form, s.m_form);
+		EXPECT_EQ(standard.m_maxNewtonSteps, s.m_maxNewtonSteps);
+		EXPECT_EQ(standard.m_maxContactLoops, s.m_maxContactLoops);
+		EXPECT_EQ(standard.m_contactTolerance, s.m_contactTolerance);
+		EXPECT_EQ(standard.m_maxIterations, s.m_maxIterations);
+		EXPECT_EQ(standard.m_iterationTolerance, s.m_iterationTolerance);
+		EXPECT_EQ(standard.m_maxVectorWidth, s.m_maxVectorWidth);
+	};
+	for (int threads : {100000, 65, 0, -1})
+		expectRefused("threads", [&] { return solver.setNumThreads(threads); });
+	const auto with = [&](const std::function<void(btElasticPlasticSolverSettings&)>& change)
+	{
+		return [&solver, change]
+		{
+			btElasticPlasticSolverSettings settings = solver.getSettings();
+			change(settings);
+			return solver.setSettings(settings);
+		};
+	};
+	typedef btElasticPlasticSolverSettings& Settings;
+	expectRefused("Newton", with([](Settings s) { s.m_maxNewtonSteps = -1; }));
+	expectRefused("rounds", with([](Settings s) { s.m_maxContactLoops = -1; }));
+	expectRefused("iterations", with([](Settings s) { s.m_maxIterations = -1; }));
+	expectRefused("width", with([](Settings s) { s.m_maxVectorWidth = 3; }));
+	for (double bad : {double(NOT_A_NUMBER), double(INFINITE), 0., -1.})
+	{
+		expectRefused("tolerance", with([bad](Settings s) { s.m_contactTolerance = bad; }));
+		expectRefused("tolerance", with([bad](Settings s) { s.m_iterationTolerance = bad; }));
+	}
+	expectRefused("form", with([](Settings s) { s.m_form = btElasticPlasticForm(7); }));
+}
+
+TEST(HardInput, DegreesOfFreedomThatAreNone)
+{
+	for (int dof : {-1, 6, 7, 1000})
+		for (int way = 0; way < 3; ++way)
+		{
+			btElasticPlasticCapacity capacity = good();
+			if (way == 0)
+				capacity.set(dof, 1, 2, 3);
+			else if (way == 1)
+				capacity.setRigidPlastic(dof, 2);
+			else
+				capacity.clear(dof);
+			// Nothing beside the arrays was written.
+			const btElasticPlasticCapacity before = good();
+			for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			{
+				EXPECT_EQ(before.m_stiffness[i], capacity.m_stiffness[i]);
+				EXPECT_EQ(before.m_yield[i], capacity.m_yield[i]);
+				EXPECT_EQ(before.m_ductility[i], capacity.m_ductility[i]);
+			}
+			EXPECT_EQ(0u, capacity.m_rigidPlastic);
+			expectNames(Scene().refusalOf(capacity), "degree of freedom", std::to_string(dof).c_str(), "0 to 5");
+		}
+	Pair pair(Solver::Direct, 0, 12, btVector3(0, -10, 0));
+	const btElasticPlasticJoint* joint = pair.join(evenCapacity(1e6, 100));
+	run(pair.m_world, 10);
+	ASSERT_TRUE(joint->hasYielded());
+	for (int dof : {-1, 6, 1000})
+	{
+		EXPECT_EQ(0, joint->getForce(dof));
+		EXPECT_EQ(0, joint->getAppliedForce(dof));
+		EXPECT_EQ(0, joint->getElasticDeformation(dof));
+		EXPECT_EQ(0, joint->getPlasticDeformation(dof));
+		EXPECT_EQ(0, joint->getPlasticPath(dof));
+		EXPECT_EQ(0, joint->getUtilisation(dof));
+		EXPECT_EQ(0, joint->getDamage(dof));
+		EXPECT_FALSE(joint->getCapacity().isElasticPlastic(dof));
+		EXPECT_FALSE(joint->getCapacity().isRigidPlastic(dof));
+	}
+}
+
+TEST(HardInput, StiffnessTooSmallToDivideBy)
+{
+	// Denormal, and the least that the compliance of a step of 1 ms is still a number of.
+	for (btScalar value : {std::numeric_limits<btScalar>::denorm_min() * 1000, btScalar(1e-21)})
+		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+		{
+			btElasticPlasticCapacity capacity = good();
+			capacity.m_stiffness[dof] = value;
+			expectNames(Scene().refusalOf(capacity), "stiffness", btElasticPlasticDofName(dof), "1e-20");
+		}
+	for (Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+	{
+		Pair pair(solver, 0, 12, btVector3(0, -10, 0));
+		pair.join(evenCapacity(double(btElasticPlasticCapacity::leastStiffness()), 1e5));
+		run(pair.m_world, 10);
+		EXPECT_NEAR(-10. / 6, pair.m_b->getLinearVelocity().y(), 1e-5);
+	}
+}
+
+TEST(HardInput, FramesThatAreNoFrames)
+{
+	const btScalar inf = INFINITE, nan = NOT_A_NUMBER;
+	const btMatrix3x3 one = btMatrix3x3::getIdentity();
+	const struct
+	{
+		btMatrix3x3 m_basis;
+		btVector3 m_origin;
+	} cases[] = {{one, btVector3(nan, 0, 0)},
+				 {one, btVector3(0, inf, 0)},
+				 {btMatrix3x3(nan, 0, 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0)},
+				 {btMatrix3x3(1, btScalar(0.5), 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0)},  // sheared
+				 {btMatrix3x3(-1, 0, 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0)},             // mirrored
+				 {btMatrix3x3(2, 0, 0, 0, 2, 0, 0, 0, 2), btVector3(0, 0, 0)},              // scaled
+				 {btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0), btVector3(0, 0, 0)}};
+	for (const auto& c : cases)
+		for (bool isInA : {true, false})
+		{
+			Scene scene;
+			const btTransform frame(c.m_basis, c.m_origin);
+			auto* constraint = new btElasticPlastic6DofSpring2Constraint(*scene.m_a, *scene.m_b, isInA ? frame : at(0),
+																		 isInA ? at(-1) : frame);
+			scene.m_world.add(constraint);
+			constraint->setName("gate hinge");
+			EXPECT_FALSE(constraint->setCapacity(good()));
+			EXPECT_FALSE(scene.m_world.action().addJoint(constraint));
+			expectNames(scene.m_refusals.m_text, isInA ? "frame in body A" : "frame in body B", "is", "right angles");
+			run(scene.m_world, 10);
+			EXPECT_NEAR(-10. / 6, scene.m_b->getLinearVelocity().y(), 1e-5);
+		}
+}
+
+TEST(HardInput, InertiaThatIsLostOnTheWay)
+{
+	for (Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+	{
+		Refusals refusals;
+		Pair pair(solver, 0, 12, btVector3(0, -10, 0));
+		pair.m_world.action().setListener(&refusals);
+		btElasticPlasticCapacity rigid;
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			rigid.setRigidPlastic(i, btScalar(1e5));
+		btElasticPlasticJoint* joint = pair.join(rigid);
+		run(pair.m_world, 5);
+		pair.m_b->setMassProps(12, btVector3(0, 0, 0));
+		pair.m_b->updateInertiaTensor();
+		run(pair.m_world, 10);
+		EXPECT_EQ(1, refusals.m_count) << refusals.m_text;
+		EXPECT_NE(std::string::npos, refusals.m_text.find("inertia of body B")) << refusals.m_text;
+		EXPECT_TRUE(isFinite(*pair.m_b));
+		EXPECT_EQ(0, joint->getNumCommittedRows());
+		btVector3 inertia;
+		pair.m_b->getCollisionShape()->calculateLocalInertia(12, inertia);
+		pair.m_b->setMassProps(12, inertia);
+		pair.m_b->updateInertiaTensor();
+		run(pair.m_world, 1);
+		EXPECT_EQ(6, joint->getNumCommittedRows());
+	}
+}
+
+TEST(HardInput, StatesThatCannotBe)
+{
+	typedef btElasticPlasticState& State;
+	const std::function<void(State, btScalar)> anyNumber[] = {
+		[](State s, btScalar x) { s.m_force[2] = x; },
+		[](State s, btScalar x) { s.m_forceRate[5] = x; },
+		[](State s, btScalar x) { s.m_applied[0] = x; },
+		[](State s, btScalar x) { s.m_plastic[4] = x; },
+		[](State s, btScalar x) { s.m_plasticPath[3] = x; },
+		[](State s, btScalar x) { s.m_initial[1] = x; },
+		[](State s, btScalar x) { s.m_lastStep = x; },
+		[](State s, btScalar x) { s.m_work = double(x); },
+		[](State s, btScalar x) { s.m_plasticEnergy = double(x); },
+		[](State s, btScalar x) { s.m_plasticRotation.setX(x); },
+		[](State s, btScalar x) { s.m_plasticMiddle.setW(x); },
+	};
+	std::vector<std::function<void(State)>> changes;
+	for (const auto& set : anyNumber)
+		for (btScalar x : {NOT_A_NUMBER, INFINITE, -INFINITE})
+			changes.push_back([&set, x](State s) { set(s, x); });
+	changes.push_back([](State s) { s.m_force[1] = btScalar(1e12); });
+	changes.push_back([](State s) { s.m_force[1] = -101; });
+	changes.push_back([](State s) { s.m_plasticPath[0] = -1; });
+	changes.push_back([](State s) { s.m_plasticEnergy = -1; });
+	changes.push_back([](State s) { s.m_lastStep = -1; });
+	changes.push_back([](State s) { s.m_plasticRotation = btQuaternion(0, 0, 0, 2); });
+	changes.push_back([](State s) { s.m_plasticMiddle = btQuaternion(0, 0, 0, 0); });
+
+	Pair pair(Solver::Direct, 0, 12, btVector3(0, -10, 0));
+	btElasticPlasticJoint* joint = pair.join(evenCapacity(1e6, 100));
+	run(pair.m_world, 10);
+	ASSERT_TRUE(joint->hasYielded());
+	const btElasticPlasticState before = joint->getState();
+	for (size_t c = 0; c < changes.size(); ++c)
+	{
+		btElasticPlasticState state = before;
+		changes[c](state);
+		EXPECT_FALSE(joint->setState(state)) << c;
+		const btElasticPlasticState& after = joint->getState();
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		{
+			EXPECT_EQ(before.m_force[i], after.m_force[i]);
+			EXPECT_EQ(before.m_forceRate[i], after.m_forceRate[i]);
+			EXPECT_EQ(before.m_applied[i], after.m_applied[i]);
+			EXPECT_EQ(before.m_plastic[i], after.m_plastic[i]);
+			EXPECT_EQ(before.m_plasticPath[i], after.m_plasticPath[i]);
+		}
+		for (int i = 0; i < 3; ++i)
+			EXPECT_EQ(before.m_initial[i], after.m_initial[i]);
+		EXPECT_EQ(before.m_lastStep, after.m_lastStep);
+		EXPECT_EQ(before.m_work, after.m_work);
+		EXPECT_EQ(before.m_plasticEnergy, after.m_plasticEnergy);
+		EXPECT_TRUE(before.m_plasticRotation == after.m_plasticRotation);
+		EXPECT_TRUE(before.m_plasticMiddle == after.m_plasticMiddle);
+	}
+	EXPECT_TRUE(joint->setState(before));
+}
+
+/// A support and six cubes in a row; the last one is spoilt.
+struct SpoiltChain
+{
+	Refusals m_refusals;
+	World m_world;
+	std::vector<btRigidBody*> m_bodies;
+	std::vector<btElasticPlasticJoint*> m_joints;
+
+	/// \param leavesOne  one degree of freedom of each joint is left to Bullet's class, which locks it
+	SpoiltChain(Solver solver, bool leavesOne) : m_world(solver)
+	{
+		m_world.action().setListener(&m_refusals);
+		btElasticPlasticCapacity capacity = good();
+		if (leavesOne)
+			capacity.clear(BT_EP_SHEAR_Z);
+		btCollisionShape* cube = m_world.box(btVector3(1, 1, 1));
+		for (int i = 0; i < 7; ++i)
+		{
+			m_bodies.push_back(m_world.body(i == 0 ? 0 : 100, cube, at(btScalar(i)), false));
+			if (i > 0)
+				m_joints.push_back(
+					m_world.joint(*m_bodies[i - 1], *m_bodies[i], at(btScalar(i) - btScalar(0.5)), capacity));
+		}
+		run(m_world, 5);
+	}
+};
+
+TEST(HardInput, ASpoiltBodyHarmsNobody)
+{
+	typedef std::function<void(btRigidBody&)> Spoil;
+	const Spoil spoils[] = {
+		[](btRigidBody& b) { b.getWorldTransform().setBasis(btMatrix3x3(NOT_A_NUMBER, 0, 0, 0, 1, 0, 0, 0, 1)); },
+		[](btRigidBody& b) { b.getWorldTransform().setRotation(btQuaternion(NOT_A_NUMBER, 0, 0, 1)); },
+		[](btRigidBody& b) { b.getWorldTransform().setRotation(btQuaternion(0, 0, 0, 0)); },
+		[](btRigidBody& b) { b.setLinearVelocity(btVector3(NOT_A_NUMBER, 0, 0)); },
+		[](btRigidBody& b) { b.setAngularVelocity(btVector3(0, INFINITE, 0)); },
+		[](btRigidBody& b) { b.applyCentralForce(btVector3(0, NOT_A_NUMBER, 0)); },
+		[](btRigidBody& b) { b.applyTorque(btVector3(0, 0, INFINITE)); },
+		[](btRigidBody& b) { b.getWorldTransform().setOrigin(btVector3(0, 0, NOT_A_NUMBER)); },
+	};
+	for (Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+		for (bool leavesOne : {false, true})
+			for (int spoilt : {6, 3})
+				for (size_t s = 0; s < sizeof spoils / sizeof *spoils; ++s)
+				{
+					const testing::Message which = testing::Message()
+												   << "solver " << int(solver) << ", leaves one " << leavesOne
+												   << ", body " << spoilt << ", way " << s;
+					// The twin's body has lost its joints by a refused capacity, so that all constraints keep their order.
+					SpoiltChain chain(solver, leavesOne), twin(solver, leavesOne);
+					spoils[s](*chain.m_bodies[spoilt]);
+					for (int j : {spoilt - 1, spoilt})
+						if (j < 6)
+						{
+							btElasticPlasticCapacity refused;
+							refused.set(0, -1, 1);
+							EXPECT_FALSE(twin.m_joints[j]->setCapacity(refused));
+						}
+					for (int step = 0; step < 10; ++step)
+					{
+						run(chain.m_world, 1);
+						run(twin.m_world, 1);
+						for (int i = 0; i < 7; ++i)
+						{
+							if (i == spoilt)
+								continue;
+							EXPECT_TRUE(isFinite(*chain.m_bodies[i])) << which << ", neighbour " << i;
+							EXPECT_TRUE(chain.m_bodies[i]->getCenterOfMassPosition() ==
+										twin.m_bodies[i]->getCenterOfMassPosition())
+								<< which << ", neighbour " << i;
+							EXPECT_TRUE(chain.m_bodies[i]->getLinearVelocity() == twin.m_bodies[i]->getLinearVelocity())
+								<< which << ", neighbour " << i;
+						}
+						if (testing::Test::HasFailure())
+							break;
+					}
+					// Each of its joints was told of once.
+					EXPECT_EQ(spoilt == 6 ? 1 : 2, chain.m_refusals.m_count) << which << chain.m_refusals.m_text;
+				}
+}
+
+TEST(HardInput, AKinematicBodyMayHaveAMass)
+{
+	double shear[2];
+	for (int i = 0; i < 2; ++i)
+	{
+		World world(Solver::Direct);
+		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
+		btRigidBody *a = world.body(btScalar(100 * i), cube, at(0), false),
+					*b = world.body(100, cube, at(btScalar(1.5)), false);
+		world.bullet().removeRigidBody(a);
+		a->setCollisionFlags((a->getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT) |
+							 btCollisionObject::CF_KINEMATIC_OBJECT);
+		world.bullet().addRigidBody(a, 0, 0);
+		btElasticPlasticJoint* joint = world.joint(*a, *b, at(btScalar(0.75)), good());
+		run(world, 120);
+		EXPECT_EQ(0, a->getCenterOfMassPosition().length());
+		EXPECT_NEAR(0, b->getCenterOfMassPosition().y(), 0.01);
+		shear[i] = double(joint->getForce(BT_EP_SHEAR_Y));
+	}
+	// The weight, to the share that has not come to rest after 2 s; and both the same to rounding.
+	EXPECT_NEAR(1000, fabs(shear[0]), 10);
+	EXPECT_NEAR(shear[0], shear[1], 1000 * byPrecision(1e-9, 1e-4));
 }
 }  // namespace

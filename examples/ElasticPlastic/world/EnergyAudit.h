@@ -39,12 +39,19 @@ public:
 	static constexpr double SLACK = sizeof(btScalar) == sizeof(double) ? 0.05 : 0.2;
 	double createdByJoints() const { return m_given > m_rounding ? (m_given - m_rounding) / m_most : 0; }
 
+	/// Kinetic energy + what the joints have stored and dissipated by flow - work of loads, all of the time of the velocities [J]. What
+	/// the time integration dissipates lowers it, and what it makes raises it. Where the step changes, that time jumps.
+	double balance() const { return m_balance; }
+
+	/// The most that kinetic energy, or the joints' work, has been [J].
+	double atPlay() const { return m_most; }
+
 	/// Before a step, when all loads are on.
 	void begin()
 	{
 		if (!m_isBegun)
 		{
-			m_energy = m_most = m_world.kineticEnergy();
+			m_energy = m_balance = m_most = m_world.kineticEnergy();
 			m_rounding = rounding();
 		}
 		m_isBegun = true;
@@ -70,6 +77,7 @@ public:
 			m_most = std::max(m_most, joint->getWork());
 		}
 		m_given = std::max(m_given, -dissipated);
+		m_balance = energy - dissipated;
 		m_most = std::max(m_most, m_world.kineticEnergy());
 		m_created += std::max(0., energy - m_energy);
 		return m_energy = energy;
@@ -151,7 +159,7 @@ private:
 	std::vector<Load> m_loads;  // during a step
 	double m_work = 0;
 	bool m_isBegun = false;
-	double m_energy = 0, m_most = 0, m_created = 0;
+	double m_energy = 0, m_balance = 0, m_most = 0, m_created = 0;
 	double m_given = 0, m_rounding = 0;                   // of joints
 	std::map<const btElasticPlasticJoint*, Held> m_held;  // after the last step
 };

@@ -1,0 +1,471 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// Bodies, joints, actions and worlds come and go in any order.
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+#include "LinearMath/btIDebugDraw.h"
+#include "support/Run.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
+
+namespace
+{
+using namespace ep;
+
+const Solver SOLVERS[] = {Solver::Direct, Solver::Iterative, Solver::Stock};
+
+std::unique_ptr<btConstraintSolver> make(Solver solver)
+{
+	if (solver == Solver::Stock)
+		return std::make_unique<btSequentialImpulseConstraintSolver>();
+	auto ours = std::make_unique<btElasticPlasticConstraintSolver>();
+	ours->setForm(solver == Solver::Direct ? BT_EP_DIRECT : BT_EP_ITERATIVE);
+	return ours;
+}
+
+struct Diary : btElasticPlasticListener
+{
+	int m_breaks = 0;
+	std::vector<std::string> m_refused;
+
+	void onBreak(const btElasticPlasticEvent&) override { ++m_breaks; }
+	void onRefused(btElasticPlasticJoint&, const char* text) override { m_refused.push_back(text); }
+};
+
+/// It breaks under the weight of a body.
+btElasticPlasticCapacity weak()
+{
+	btElasticPlasticCapacity capacity;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		capacity.set(i, btScalar(1e6), 1, btScalar(1e-6));
+	return capacity;
+}
+
+btElasticPlasticCapacity strong() { return evenCapacity(1e8, 1e6); }
+
+/// A world of which each part may be deleted by itself, unlike ep::World.
+struct Parts
+{
+	btDefaultCollisionConfiguration m_configuration;
+	btCollisionDispatcher m_dispatcher{&m_configuration};
+	btDbvtBroadphase m_broadphase;
+	std::unique_ptr<btConstraintSolver> m_solver;
+	btBoxShape m_shape{btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5))};
+	std::vector<std::unique_ptr<btRigidBody>> m_bodies;
+	std::vector<std::unique_ptr<btElasticPlastic6DofSpring2Constraint>> m_joints;
+	std::unique_ptr<btElasticPlasticAction> m_action = std::make_unique<btElasticPlasticAction>();
+	std::unique_ptr<btDiscreteDynamicsWorld> m_world;
+
+	explicit Parts(Solver solver) : m_solver(make(solver))
+	{
+		m_world =
+			std::make_unique<btDiscreteDynamicsWorld>(&m_dispatcher, &m_broadphase, m_solver.get(), &m_configuration);
+		m_world->setGravity(btVector3(0, -10, 0));
+		m_world->addAction(m_action.get());
+	}
+	~Parts()
+	{
+		deleteJoints();
+		deleteAction();
+		deleteBodies();
+	}
+
+	/// In no world yet.
+	btRigidBody* body(btScalar mass, const btVector3& place)
+	{
+		btVector3 inertia(0, 0, 0);
+		if (mass > 0)
+			m_shape.calculateLocalInertia(mass, inertia);
+		m_bodies.emplace_back(new btRigidBody(mass, nullptr, &m_shape, inertia));
+		btRigidBody* body = m_bodies.back().get();
+		body->setCenterOfMassTransform(at(place.x(), place.y(), place.z()));
+		body->setActivationState(DISABLE_DEACTIVATION);
+		return body;
+	}
+
+	/// In no world and unknown to the action yet.
+	btElasticPlastic6DofSpring2Constraint* joint(btRigidBody& a, btRigidBody& b,
+												 const btElasticPlasticCapacity& capacity)
+	{
+		const btVector3 half = (b.getCenterOfMassPosition() - a.getCenterOfMassPosition()) / 2;
+		m_joints.emplace_back(new btElasticPlastic6DofSpring2Constraint(a, b, at(half.x(), half.y(), half.z()),
+																		at(-half.x(), -half.y(), -half.z())));
+		m_joints.back()->setCapacity(capacity);
+		return m_joints.back().get();
+	}
+
+	/// A support and bodies in a row, joined.
+	void row(int count, btScalar distance, const btElasticPlasticCapacity& capacity)
+	{
+		for (int i = 0; i <= count; ++i)
+		{
+			m_world->addRigidBody(body(i == 0 ? 0 : 100, btVector3(btScalar(i) * distance, 5, 0)));
+			if (i == 0)
+				continue;
+			btElasticPlastic6DofSpring2Constraint* link = joint(*m_bodies[i - 1], *m_bodies[i], capacity);
+			m_world->addConstraint(link, true);
+			EXPECT_TRUE(m_action->addJoint(link));
+		}
+	}
+
+	void step(int steps = 1)
+	{
+		for (int i = 0; i < steps; ++i)
+			m_world->stepSimulation(FRAME, 0);
+	}
+
+	void deleteJoints()
+	{
+		for (auto& joint : m_joints)
+			if (m_world && !joint->isBroken())
+				m_world->removeConstraint(joint.get());
+		m_joints.clear();
+	}
+	void deleteAction()
+	{
+		if (m_world && m_action)
+			m_world->removeAction(m_action.get());
+		m_action.reset();
+	}
+	void deleteBodies()
+	{
+		for (auto& body : m_bodies)
+			if (m_world && body->getBroadphaseHandle())
+				m_world->removeRigidBody(body.get());
+		m_bodies.clear();
+	}
+	void deleteWorld() { m_world.reset(); }
+};
+
+/// Two bodies that overlap, and their joint that has just broken: it is still in the world.
+struct Overlap : Parts
+{
+	explicit Overlap(Solver solver) : Parts(solver)
+	{
+		row(1, btScalar(0.5), weak());
+		for (int i = 0; i < 20 && !m_joints[0]->isBroken(); ++i)
+			step();
+		EXPECT_TRUE(m_joints[0]->isBroken());
+		EXPECT_EQ(1, m_world->getNumConstraints());
+	}
+};
+
+TEST(Lifetimes, AnyOrderOfDeletionWhileBodiesOverlap)
+{
+	typedef std::function<void(Overlap&)> Deletion;
+	const Deletion action = [](Overlap&s) { s.deleteAction(); }, world = [](Overlap&s) { s.deleteWorld(); },
+				   joint = [](Overlap&s) { s.deleteJoints(); };
+	const Deletion orders[][3] = {{action, world, joint}, {action, joint, world}, {world, action, joint},
+								  {world, joint, action}, {joint, action, world}, {joint, world, action}};
+	for (Solver solver : SOLVERS)
+		for (const auto& order : orders)
+			for (int stepped = 0; stepped < 2; ++stepped)
+			{
+				Overlap scene(solver);
+				for (const Deletion& deletion : order)
+				{
+					deletion(scene);
+					if (scene.m_world && stepped)
+						scene.step(3);
+					if (scene.m_world)
+					{
+						// Who leaves takes the constraint out of the world: nobody else would.
+						EXPECT_EQ(0, scene.m_world->getNumConstraints());
+						EXPECT_TRUE(isFinite(*scene.m_bodies[1]));
+					}
+				}
+			}
+}
+
+TEST(Lifetimes, TheUserRemovesABrokenJointAndItsBodies)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Overlap scene(solver);
+		scene.m_world->removeConstraint(scene.m_joints[0].get());
+		scene.deleteBodies();
+		scene.step(3);
+		EXPECT_EQ(0, scene.m_world->getNumConstraints());
+		scene.m_joints.clear();
+		scene.step(3);
+		EXPECT_EQ(0, scene.m_action->getNumJoints());
+	}
+}
+
+TEST(Lifetimes, NoRepairWithoutWorldOrBodies)
+{
+	for (Solver solver : SOLVERS)
+		for (btScalar distance : {btScalar(0.5), btScalar(1.5)})
+		{
+			{
+				Parts scene(solver);
+				scene.row(1, distance, weak());
+				scene.step(20);
+				ASSERT_TRUE(scene.m_joints[0]->isBroken());
+				scene.deleteWorld();
+				EXPECT_FALSE(scene.m_action->repair(scene.m_joints[0].get()));
+				EXPECT_TRUE(scene.m_joints[0]->isBroken());
+			}
+			Parts scene(solver);
+			scene.row(1, distance, weak());
+			scene.step(20);
+			scene.m_world->removeRigidBody(scene.m_bodies[1].get());
+			EXPECT_FALSE(scene.m_action->repair(scene.m_joints[0].get()));
+			EXPECT_TRUE(scene.m_joints[0]->isBroken());
+			scene.step(3);
+			// Back in the world, it can be repaired.
+			scene.m_world->addRigidBody(scene.m_bodies[1].get());
+			EXPECT_TRUE(scene.m_action->repair(scene.m_joints[0].get()));
+			EXPECT_FALSE(scene.m_joints[0]->isBroken());
+			EXPECT_EQ(1, scene.m_world->getNumConstraints());
+			scene.step(20);
+			EXPECT_TRUE(scene.m_joints[0]->isBroken());
+		}
+}
+
+/// Draws nothing, and counts it.
+struct Canvas : btIDebugDraw
+{
+	int m_lines = 0;
+
+	void drawLine(const btVector3&, const btVector3&, const btVector3&) override { ++m_lines; }
+	void drawContactPoint(const btVector3&, const btVector3&, btScalar, int, const btVector3&) override {}
+	void reportErrorWarning(const char*) override {}
+	void draw3dText(const btVector3&, const char*) override {}
+	void setDebugMode(int) override {}
+	int getDebugMode() const override { return DBG_DrawWireframe | DBG_DrawConstraints | DBG_DrawConstraintLimits; }
+};
+
+TEST(Lifetimes, AJointWhoseBodyIsDeletedIsNotDrawn)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Parts scene(solver);
+		Canvas canvas;
+		scene.m_world->setDebugDrawer(&canvas);
+		scene.row(2, btScalar(1.5), strong());
+		scene.step(2);
+		scene.m_world->debugDrawWorld();
+		const int both = canvas.m_lines;
+		scene.m_world->removeConstraint(scene.m_joints[1].get());
+		scene.m_world->removeRigidBody(scene.m_bodies[2].get());
+		scene.m_bodies.pop_back();
+		canvas.m_lines = 0;
+		scene.m_world->debugDrawWorld();
+		EXPECT_GT(canvas.m_lines, 0);
+		EXPECT_LT(canvas.m_lines, both);
+		scene.step(2);
+		scene.m_world->debugDrawWorld();
+		scene.m_joints.pop_back();
+		scene.m_world->setDebugDrawer(nullptr);
+	}
+}
+
+TEST(Lifetimes, AListenerMayDeleteTheAction)
+{
+	struct Deleter : btElasticPlasticListener
+	{
+		Parts* m_parts;
+		int m_breaks = 0;
+
+		void onBreak(const btElasticPlasticEvent&) override
+		{
+			++m_breaks;
+			m_parts->deleteAction();
+		}
+	};
+	for (Solver solver : SOLVERS)
+		for (btScalar distance : {btScalar(0.5), btScalar(1.5)})
+		{
+			Deleter deleter;
+			Parts scene(solver);
+			deleter.m_parts = &scene;
+			scene.m_action->setListener(&deleter);
+			scene.row(4, distance, weak());
+			testing::internal::CaptureStderr();
+			scene.step(20);
+			// Joints that were whole have no action any more, which is printed.
+			testing::internal::GetCapturedStderr();
+			EXPECT_EQ(1, deleter.m_breaks);
+			EXPECT_FALSE(scene.m_action);
+			for (const auto& body : scene.m_bodies)
+				EXPECT_TRUE(isFinite(*body));
+		}
+}
+
+TEST(Lifetimes, AListenerMayDeleteJoints)
+{
+	struct Deleter : btElasticPlasticListener
+	{
+		Parts* m_parts;
+		int m_breaks = 0;
+
+		void onBreak(const btElasticPlasticEvent&) override
+		{
+			++m_breaks;
+			m_parts->deleteJoints();
+		}
+	};
+	for (Solver solver : SOLVERS)
+		for (btScalar distance : {btScalar(0.5), btScalar(1.5)})
+		{
+			Deleter deleter;
+			Parts scene(solver);
+			deleter.m_parts = &scene;
+			scene.m_action->setListener(&deleter);
+			scene.row(4, distance, weak());
+			scene.step(20);
+			EXPECT_EQ(1, deleter.m_breaks);
+			EXPECT_EQ(0, scene.m_action->getNumJoints());
+			EXPECT_EQ(0, scene.m_world->getNumConstraints());
+		}
+}
+
+TEST(Lifetimes, AListenerMayStepTheWorld)
+{
+	struct Stepper : btElasticPlasticListener
+	{
+		Parts* m_parts;
+		int m_depth = 0;
+		std::vector<btElasticPlasticJoint*> m_broken;
+
+		void onBreak(const btElasticPlasticEvent& event) override
+		{
+			m_broken.push_back(event.m_joint);
+			if (m_depth == 3)
+				return;
+			++m_depth;
+			m_parts->step();
+			--m_depth;
+		}
+	};
+	for (Solver solver : SOLVERS)
+		for (btScalar distance : {btScalar(0.5), btScalar(1.5)})
+		{
+			Stepper stepper;
+			Parts scene(solver);
+			stepper.m_parts = &scene;
+			scene.m_action->setListener(&stepper);
+			scene.row(10, distance, weak());
+			scene.step(20);
+			// Each break is told once.
+			int broken = 0;
+			for (const auto& joint : scene.m_joints)
+				if (joint->isBroken())
+				{
+					++broken;
+					EXPECT_EQ(1, std::count(stepper.m_broken.begin(), stepper.m_broken.end(), joint.get()));
+				}
+			EXPECT_GT(broken, 0);
+			EXPECT_EQ(broken, int(stepper.m_broken.size()));
+			EXPECT_EQ(broken, scene.m_action->getNumBroken());
+			for (const auto& body : scene.m_bodies)
+				EXPECT_TRUE(isFinite(*body));
+		}
+}
+
+TEST(Lifetimes, ABodyMayLeaveTheWorldForAWhile)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Diary diary;
+		Parts scene(solver);
+		scene.m_action->setListener(&diary);
+		scene.row(3, btScalar(1.5), strong());
+		scene.step(10);
+		EXPECT_NE(0, scene.m_joints[1]->getNumCommittedRows());
+		scene.m_world->removeRigidBody(scene.m_bodies[2].get());
+		scene.step(10);
+		// Both of its joints are out of the simulation, and each has been told of once.
+		EXPECT_EQ(2u, diary.m_refused.size()) << int(solver);
+		for (const std::string& text : diary.m_refused)
+			EXPECT_NE(std::string::npos, text.find("addRigidBody")) << text;
+		EXPECT_EQ(0, scene.m_joints[1]->getNumCommittedRows());
+		EXPECT_EQ(0, scene.m_joints[2]->getNumCommittedRows());
+		EXPECT_EQ(6, scene.m_joints[0]->getNumCommittedRows());
+		// What hung on it falls by itself: 10 steps of 1/60 s at 10 m/s^2; damping is Bullet's default, none.
+		EXPECT_LT(scene.m_bodies[3]->getLinearVelocity().y(), -1);
+		// Put back where what hangs on it has fallen, at rest there.
+		for (int i = 2; i < 4; ++i)
+		{
+			scene.m_bodies[i]->setCenterOfMassTransform(at(btScalar(1.5 * i), 5, 0));
+			scene.m_bodies[i]->setLinearVelocity(btVector3(0, 0, 0));
+			scene.m_bodies[i]->setAngularVelocity(btVector3(0, 0, 0));
+		}
+		scene.m_world->addRigidBody(scene.m_bodies[2].get());
+		scene.step(10);
+		EXPECT_EQ(2u, diary.m_refused.size());
+		for (const auto& joint : scene.m_joints)
+			EXPECT_EQ(6, joint->getNumCommittedRows());
+		for (const auto& body : scene.m_bodies)
+			EXPECT_TRUE(isFinite(*body));
+		// In free fall the last body would have 1.6 m/s by now.
+		EXPECT_GT(scene.m_bodies[3]->getLinearVelocity().y(), -1);
+	}
+}
+
+TEST(Lifetimes, AJointWaitsForItsBody)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Diary diary;
+		Parts scene(solver);
+		scene.m_action->setListener(&diary);
+		btRigidBody *a = scene.body(100, btVector3(0, 5, 0)), *b = scene.body(100, btVector3(btScalar(1.5), 5, 0));
+		scene.m_world->addRigidBody(a);
+		btElasticPlastic6DofSpring2Constraint* joint = scene.joint(*a, *b, strong());
+		scene.m_world->addConstraint(joint, true);
+		EXPECT_FALSE(scene.m_action->addJoint(joint));
+		ASSERT_EQ(1u, diary.m_refused.size());
+		EXPECT_NE(std::string::npos, diary.m_refused[0].find("addRigidBody")) << diary.m_refused[0];
+		testing::internal::CaptureStderr();
+		scene.step(10);
+		EXPECT_EQ("", testing::internal::GetCapturedStderr());
+		EXPECT_EQ(1u, diary.m_refused.size());
+		// Free fall.
+		EXPECT_NEAR(-10. / 6, a->getLinearVelocity().y(), 1e-5);
+		EXPECT_EQ(0, b->getLinearVelocity().y());
+		scene.m_world->addRigidBody(b);
+		b->setCenterOfMassTransform(at(btScalar(1.5), a->getCenterOfMassPosition().y(), 0));
+		EXPECT_TRUE(scene.m_action->addJoint(joint));
+		EXPECT_FALSE(joint->fault());
+		scene.step(1);
+		// Now both fall as one: the joint has shared out the first one's velocity.
+		EXPECT_EQ(6, joint->getNumCommittedRows());
+		EXPECT_LT(b->getLinearVelocity().y(), -10. / 60 - 0.1);
+		EXPECT_TRUE(isFinite(*a) && isFinite(*b));
+	}
+}
+
+TEST(Lifetimes, ABodyIsNotJoinedToItself)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Diary diary;
+		Parts scene(solver);
+		scene.m_action->setListener(&diary);
+		btRigidBody* body = scene.body(100, btVector3(0, 5, 0));
+		scene.m_world->addRigidBody(body);
+		scene.m_joints.emplace_back(
+			new btElasticPlastic6DofSpring2Constraint(*body, *body, at(btScalar(0.2)), at(btScalar(-0.2))));
+		EXPECT_FALSE(scene.m_joints[0]->setCapacity(strong()));
+		scene.m_world->addConstraint(scene.m_joints[0].get(), true);
+		EXPECT_FALSE(scene.m_action->addJoint(scene.m_joints[0].get()));
+		EXPECT_EQ(0, scene.m_action->getNumJoints());
+		ASSERT_EQ(1u, diary.m_refused.size());
+		EXPECT_NE(std::string::npos, diary.m_refused[0].find("joined to itself")) << diary.m_refused[0];
+		scene.step(10);
+		EXPECT_NEAR(-10. / 6, body->getLinearVelocity().y(), 1e-5);
+		EXPECT_EQ(0, body->getAngularVelocity().length());
+	}
+}
+}  // namespace

@@ -1,0 +1,445 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// Ropes, strips and bars under high tension: what is taut makes no energy, swings and stretches as it should.
+
+#include <math.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
+#include "scenes/Member.h"
+#include "support/Close.h"
+#include "support/DirectSolver.h"
+#include "support/Run.h"
+#include "world/EnergyAudit.h"
+
+namespace
+{
+using namespace ep;
+
+const double GRAVITY = 10;
+
+/// How a rope's joints bend.
+enum class Bending
+{
+	Free,
+	Elastic,  ///< weakly
+	Yielding  ///< weakly, at 50 N m
+};
+
+/// A ball on a straight rope of boxes that hangs askew.
+struct Rope
+{
+	struct Settings
+	{
+		double ball = 1000;  ///< [kg]
+		int links = 16;
+		double link = 5;         ///< [kg]
+		double length = 8;       ///< of the rope [m]
+		double stiffness = 2e7;  ///< of each joint, axial and shear [N/m]
+		Bending bending = Bending::Free;
+		double angle = 0.6;  ///< from the plumb line [rad]
+	};
+
+	static constexpr double RADIUS = 0.4, HALF_WIDTH = 0.04;
+
+	Settings m_settings;
+	World m_world{Solver::Direct, btVector3(0, btScalar(-GRAVITY), 0)};
+	btRigidBody* m_ball = nullptr;
+	std::vector<btElasticPlasticJoint*> m_joints;
+
+	explicit Rope(const Settings& s) : m_settings(s)
+	{
+		btElasticPlasticCapacity capacity;
+		for (int i = 0; i < 3; ++i)
+			capacity.set(i, btScalar(s.stiffness), btElasticPlasticCapacity::unlimited());
+		for (int i = 3; i < BT_EP_DOF_COUNT && s.bending != Bending::Free; ++i)
+			capacity.set(i, 2000, s.bending == Bending::Yielding ? 50 : btElasticPlasticCapacity::unlimited());
+		const btTransform turn(btQuaternion(btVector3(0, 0, 1), btScalar(s.angle) - SIMD_HALF_PI));
+		const double l = s.length / s.links;
+		btCollisionShape* box = m_world.box(btVector3(btScalar(l), btScalar(2 * HALF_WIDTH), btScalar(2 * HALF_WIDTH)));
+		btRigidBody* former = m_world.body(0, m_world.box(btVector3(1, 1, 1)), btTransform::getIdentity(), false);
+		for (int i = 0; i <= s.links; ++i)
+		{
+			btRigidBody* next;
+			if (i < s.links)
+				next = m_world.body(btScalar(s.link), box, turn * at(btScalar((i + 0.5) * l)), false);
+			else
+				next = m_ball = m_world.body(btScalar(s.ball), m_world.box(btVector3(1, 1, 1) * btScalar(2 * RADIUS)),
+											 turn * at(btScalar(s.length + RADIUS)), false);
+			m_joints.push_back(m_world.joint(*former, *next, turn * at(btScalar(i * l)), capacity));
+			former = next;
+		}
+	}
+
+	/// By how much the ball is farther from the support than unloaded [m].
+	double elongation() const
+	{
+		return double(m_ball->getCenterOfMassPosition().length()) - m_settings.length - RADIUS;
+	}
+
+	/// The sum over the joints of what hangs on each over its stiffness [m].
+	double staticElongation() const
+	{
+		double sum = 0;
+		for (int i = 0; i <= m_settings.links; ++i)
+			sum += (m_settings.ball + m_settings.link * (m_settings.links - i)) * GRAVITY / m_settings.stiffness;
+		return sum;
+	}
+
+	/// Of the slowest small oscillation of rigid links and ball, which hinge freely [s]: the largest eigenvalue of K^-1 M in the
+	/// bodies' angles, K being diagonal, by power iteration.
+	double period() const
+	{
+		const int n = m_settings.links + 1;
+		const double l = m_settings.length / m_settings.links;
+		const auto mass = [&](int i) { return i < n - 1 ? m_settings.link : m_settings.ball; };
+		const auto arm = [&](int i) { return i < n - 1 ? l / 2 : RADIUS; };
+		const auto inertia = [&](int i)
+		{
+			const double a = i < n - 1 ? l / 2 : RADIUS, b = i < n - 1 ? HALF_WIDTH : RADIUS;
+			return mass(i) * (a * a + b * b) / 3;
+		};
+		std::vector<double> angle(n, 1), next(n);
+		double eigenvalue = 0;
+		for (int k = 0; k < 200; ++k)
+		{
+			// Momenta m x of the centres, then M angle by summing from the free end.
+			double x = 0;
+			std::vector<double> momentum(n);
+			for (int i = 0; i < n; ++i)
+			{
+				momentum[i] = mass(i) * (x + arm(i) * angle[i]);
+				x += l * angle[i];
+			}
+			double below = 0, weight = 0, largest = 0;
+			for (int i = n - 1; i >= 0; --i)
+			{
+				const double moment = inertia(i) * angle[i] + arm(i) * momentum[i] + l * below;
+				next[i] = moment / (GRAVITY * (arm(i) * mass(i) + l * weight));
+				below += momentum[i];
+				weight += mass(i);
+				largest = std::max(largest, next[i]);
+			}
+			eigenvalue = largest;
+			for (int i = 0; i < n; ++i)
+				angle[i] = next[i] / largest;
+		}
+		return 2 * M_PI * sqrt(eigenvalue);
+	}
+};
+
+/// A mass at mid-span of a thin straight steel member between two fixed supports: it hangs by the tension of a member that has
+/// yielded in bending.
+struct Strip
+{
+	struct Settings
+	{
+		double length = 4, width = 0.1, height = 0.005;  ///< [m]
+		int parts = 8;                                   ///< of each half
+		double mass = 800;                               ///< [kg]
+		double yieldStress = 250e6;                      ///< [Pa]
+	};
+
+	World m_world{Solver::Direct, btVector3(0, btScalar(-GRAVITY), 0)};
+
+	explicit Strip(const Settings& s)
+	{
+		Member::Settings member;
+		member.material = btElasticPlasticMaterial::steel(btScalar(s.yieldStress));
+		member.material.m_ultimatePlasticStrain = btScalar(1e9);
+		member.width = btScalar(s.width);
+		member.height = btScalar(s.height);
+		member.parts = s.parts;
+		const btElasticPlasticSection section = btElasticPlasticSection::rectangle(member.width, member.height);
+		member.capacityOf = [=](btScalar a, btScalar b)
+		{ return btElasticPlasticCapacity::fromMember(member.material, section, a, b); };
+		btCollisionShape* node = m_world.box(btVector3(member.height, member.height, member.width));
+		btRigidBody* left = m_world.body(0, node, at(0), false);
+		btRigidBody* middle = m_world.body(btScalar(s.mass), node, at(btScalar(s.length / 2)), false);
+		btRigidBody* right = m_world.body(0, node, at(btScalar(s.length)), false);
+		Member first(m_world, member, at(0), btScalar(s.length / 2));
+		first.joinStart(m_world, *left);
+		first.joinEnd(m_world, *middle);
+		Member second(m_world, member, at(btScalar(s.length / 2)), btScalar(s.length / 2));
+		second.joinStart(m_world, *middle);
+		second.joinEnd(m_world, *right);
+	}
+};
+
+/// How a world is stepped.
+struct Stepping
+{
+	int rate;         ///< steps a second
+	bool controlled;  ///< by btElasticPlasticStepControl within a step
+
+	std::string name() const { return "1/" + std::to_string(rate) + (controlled ? " s, controlled" : " s"); }
+};
+
+/// What was made from nothing, in shares of the energy at play.
+struct Gain
+{
+	double m_byJoints;  ///< above the energy at the beginning
+	double m_byOthers;
+	int m_substeps;
+	double
+		m_later;  ///< the most that a window's greatest energy is above an earlier one's: nothing lost before excuses it
+};
+
+/// In which the balance of a swing is compared: more than half a swing, as it sways with the square of the step twice a swing [s].
+const double WINDOW = 3;
+
+Gain gainOf(World& world, const Stepping& stepping, double seconds)
+{
+	EnergyAudit audit(world);
+	btElasticPlasticStepControl control;
+	const btScalar dt = btScalar(1) / btScalar(stepping.rate);
+	const int stepsInWindow = int(WINDOW * stepping.rate), steps = int(seconds * stepping.rate + 0.5);
+	int substeps = 0;
+	double later = 0, least = 1e300, greatest = -1e300;
+	for (int i = 0; i < steps; ++i)
+	{
+		if (!stepping.controlled)
+		{
+			audit.step(dt);
+			++substeps;
+		}
+		else
+		{
+			control.begin(dt);
+			while (const btScalar substep = control.next(world.bullet()))
+			{
+				audit.step(substep);
+				++substeps;
+				control.observe(world.bullet(), world.action());
+			}
+		}
+		greatest = std::max(greatest, audit.balance());
+		if ((i + 1) % stepsInWindow == 0)
+		{
+			later = std::max(later, greatest - least);
+			least = std::min(least, greatest);
+			greatest = -1e300;
+		}
+	}
+	return {audit.createdByJoints(), audit.created(), substeps, later / audit.atPlay()};
+}
+/// What contacts and Bullet's constraints would make, in shares of the energy at play; without them it is what the matrix is not
+/// solved to, and in each substep the rounding of four velocities of each joint, two and two.
+double byOthers(int substeps) { return 1e-10 + 4 * double(SIMD_EPSILON) * substeps; }
+/// Of the energy at play, in both precisions: what the rounding of places is to springs the audit leaves out.
+const double BY_JOINTS = 1e-6;
+
+void expectNothingMade(World& world, const Stepping& stepping, double seconds, const std::string& what)
+{
+	const Gain gain = gainOf(world, stepping, seconds);
+	EXPECT_LE(gain.m_byJoints, BY_JOINTS) << what << ", " << stepping.name();
+	EXPECT_LE(gain.m_byOthers, byOthers(gain.m_substeps)) << what << ", " << stepping.name();
+	EXPECT_LE(gain.m_later, BY_JOINTS) << what << ", " << stepping.name();
+	EXPECT_EQ(0, statisticsOf(world).m_fallbacks) << what << ", " << stepping.name();
+	for (const auto& body : world.bodies())
+		EXPECT_TRUE(isFinite(*body)) << what << ", " << stepping.name();
+}
+
+const Stepping STEPPINGS[] = {{30, false}, {60, false}, {240, false}, {60, true}};
+
+TEST(Taut, ABallOnARopeMakesNoEnergy)
+{
+	for (double ball : {10., 1000., 100000.})
+		for (int links : {4, 16, 64})
+			for (double link : {0.5, 50.})
+				for (Bending bending : {Bending::Free, Bending::Elastic, Bending::Yielding})
+					for (const Stepping& stepping : STEPPINGS)
+					{
+						// Of many links only the light ones, in long steps: what they cannot resolve is what makes energy.
+						if (links == 64 && (link > 1 || stepping.rate != 60 || stepping.controlled))
+							continue;
+						Rope::Settings settings;
+						settings.ball = ball;
+						settings.links = links;
+						settings.link = link;
+						settings.bending = bending;
+						Rope rope(settings);
+						expectNothingMade(rope.m_world, stepping, links == 64 ? 6 : 9,
+										  "ball of " + std::to_string(ball) + " kg, " + std::to_string(links) +
+											  " links of " + std::to_string(link) + " kg, bending " +
+											  std::to_string(int(bending)));
+					}
+}
+
+TEST(Taut, StripsAndBarsMakeNoEnergy)
+{
+	Strip::Settings cases[6];
+	cases[0].mass = 200;
+	cases[2].parts = 4;
+	cases[3].parts = 16;
+	cases[4].length = 20;
+	cases[4].width = 0.05;
+	cases[4].height = 0.02;
+	cases[4].parts = 10;
+	cases[4].mass = 1000;
+	cases[4].yieldStress = 355e6;
+	cases[5].length = 10;
+	cases[5].width = cases[5].height = 0.02;
+	cases[5].parts = 10;
+	cases[5].mass = 500;
+	for (const Strip::Settings& settings : cases)
+		for (const Stepping& stepping : STEPPINGS)
+		{
+			Strip strip(settings);
+			expectNothingMade(strip.m_world, stepping, 9,
+							  "strip of " + std::to_string(settings.length) + " m, " + std::to_string(settings.parts) +
+								  " parts a half, mass of " + std::to_string(settings.mass) + " kg");
+		}
+}
+
+TEST(Taut, ABallSwingsAsItShould)
+{
+	for (double ball : {1000., 100000.})
+		for (int links : {4, 16})
+			for (int rate : {30, 60, 240})
+			{
+				Rope::Settings settings;
+				settings.ball = ball;
+				settings.links = links;
+				settings.link = 0.5;
+				settings.angle = 0.05;
+				settings.stiffness = 2e9;  // stretches by 5 mm at most, which makes the period longer by 0.03 %
+				Rope rope(settings);
+				std::vector<double> zeros;
+				btScalar former = rope.m_ball->getCenterOfMassPosition().x();
+				for (int i = 1; i < 15 * rate; ++i)
+				{
+					run(rope.m_world, 1, btScalar(1) / btScalar(rate));
+					const btScalar x = rope.m_ball->getCenterOfMassPosition().x();
+					if ((x > 0) != (former > 0))
+						zeros.push_back((i - 1 + double(former / (former - x))) / rate);
+					former = x;
+				}
+				ASSERT_GE(zeros.size(), 5u);
+				// 1 %: the first step's length, and Bullet's rounding of small angles in float.
+				expectClose(rope.period(), 2 * (zeros.back() - zeros.front()) / double(zeros.size() - 1), 0.01);
+			}
+}
+
+TEST(Taut, ABallHangsAsLowAsItShould)
+{
+	for (double ball : {10., 1000.})
+		for (int links : {4, 16})
+			for (double link : {0.5, 50.})
+				for (int rate : {30, 60, 240})
+				{
+					Rope::Settings settings;
+					settings.ball = ball;
+					settings.links = links;
+					settings.link = link;
+					settings.angle = 0;
+					Rope rope(settings);
+					run(rope.m_world, 4 * rate, btScalar(1) / btScalar(rate));
+					double mean = 0;
+					for (int i = 0; i < rate; ++i)
+					{
+						run(rope.m_world, 1, btScalar(1) / btScalar(rate));
+						mean += rope.elongation() / rate;
+					}
+					// 1 %, and the rounding of places of 8 m.
+					EXPECT_NEAR(rope.staticElongation(), mean,
+								0.01 * rope.staticElongation() + 16 * double(SIMD_EPSILON))
+						<< ball << " kg, " << links << " links of " << link << " kg, rate " << rate;
+				}
+}
+
+/// A rope that spins end over end without gravity.
+struct SpinningRope
+{
+	World m_world{Solver::Direct, btVector3(0, 0, 0)};
+
+	SpinningRope(int links, Bending bending, double spin)
+	{
+		btElasticPlasticCapacity capacity;
+		for (int i = 0; i < 3; ++i)
+			capacity.set(i, btScalar(2e7), btElasticPlasticCapacity::unlimited());
+		for (int i = 3; i < BT_EP_DOF_COUNT && bending != Bending::Free; ++i)
+			capacity.set(i, 2000, bending == Bending::Yielding ? 50 : btElasticPlasticCapacity::unlimited());
+		const double l = 8. / links;
+		btCollisionShape* box = m_world.box(btVector3(btScalar(l), btScalar(0.08), btScalar(0.08)));
+		for (int i = 0; i < links; ++i)
+		{
+			const double x = (i + 0.5) * l - 4;
+			btRigidBody* body = m_world.body(btScalar(80. / links), box, at(btScalar(x)), false);
+			body->setLinearVelocity(btVector3(0, btScalar(spin * x), 0));
+			body->setAngularVelocity(btVector3(0, 0, btScalar(spin)));
+			if (i > 0)
+				m_world.joint(*m_world.bodies()[i - 1], *body, at(btScalar(i * l - 4)), capacity);
+		}
+	}
+
+	/// About the origin, along z [kg m^2/s].
+	double angularMomentum() const
+	{
+		double sum = 0;
+		for (const auto& body : m_world.bodies())
+		{
+			const btVector3 &x = body->getCenterOfMassPosition(), &v = body->getLinearVelocity();
+			sum += (double(x.x()) * double(v.y()) - double(x.y()) * double(v.x())) / double(body->getInvMass()) +
+				   double(body->getAngularVelocity().z()) / double(body->getInvInertiaDiagLocal().z());
+		}
+		return sum;
+	}
+
+	/// Kinetic and elastic [J].
+	double energy() const
+	{
+		double sum = m_world.kineticEnergy();
+		for (const btElasticPlasticJoint* joint : m_world.joints())
+			sum += joint->getElasticEnergy();
+		return sum;
+	}
+};
+
+TEST(Taut, ARopeSpinsOn)
+{
+	for (int links : {4, 16, 64})
+		for (Bending bending : {Bending::Free, Bending::Yielding})
+			for (double spin : {1., 6.})
+				for (const Stepping& stepping : STEPPINGS)
+				{
+					SpinningRope rope(links, bending, spin);
+					const testing::Message which = testing::Message() << links << " links, bending " << int(bending)
+																	  << ", " << spin << " rad/s, " << stepping.name();
+					const double energy = rope.energy(), momentum = rope.angularMomentum();
+					btElasticPlasticStepControl control;
+					const btScalar dt = btScalar(1) / btScalar(stepping.rate);
+					double most = 0, afterASecond = 0;
+					for (int i = 0; i < 2 * stepping.rate; ++i)
+					{
+						if (stepping.controlled)
+							control.step(rope.m_world.bullet(), rope.m_world.action(), dt);
+						else
+							rope.m_world.step(dt);
+						most = std::max(most, rope.energy());
+						if (i == stepping.rate)
+							afterASecond = rope.energy();
+					}
+					// The matrix is solved to some 1e-12; in float, velocities are rounded by 1e-7 in each of up to 480 steps, to
+					// either side.
+					const double rounding = byPrecision(1e-10, 1e-5);
+					EXPECT_NEAR(1, rope.angularMomentum() / momentum, rounding) << which;
+					EXPECT_LE(most, energy * (1 + rounding)) << which;
+					// At the beginning the rope stretches, by its tension and by what straight motion in a step leaves the circle,
+					// (w dt)^2 / 2 of the radius. With the angular momentum kept, energy falls by twice the share in the length.
+					double stretch = 0;
+					for (const btElasticPlasticJoint* joint : rope.m_world.joints())
+						stretch += double(joint->getElasticDeformation(BT_EP_AXIAL));
+					const double angle = spin / stepping.rate;
+					EXPECT_GE(rope.energy(), energy * (1 - angle * angle - 2 * stretch / 8 - rounding)) << which;
+					// Then it spins on, but for what is left of vibrations along it.
+					EXPECT_NEAR(afterASecond, rope.energy(), energy * byPrecision(1e-6, 1e-5)) << which;
+				}
+}
+}  // namespace
