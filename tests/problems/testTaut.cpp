@@ -240,7 +240,10 @@ void expectNothingMade(World& world, const Stepping& stepping, double seconds, c
 	const Gain gain = gainOf(world, stepping, seconds);
 	EXPECT_LE(gain.m_byJoints, BY_JOINTS) << what << ", " << stepping.name();
 	EXPECT_LE(gain.m_byOthers, byOthers(gain.m_substeps)) << what << ", " << stepping.name();
-	EXPECT_LE(gain.m_later, BY_JOINTS) << what << ", " << stepping.name();
+	// In float every substep rounds velocities by half of epsilon, to either side: over the substeps of a run that adds up with
+	// their square root.
+	const double rounding = byPrecision(0, double(SIMD_EPSILON) * sqrt(double(gain.m_substeps)));
+	EXPECT_LE(gain.m_later, BY_JOINTS + rounding) << what << ", " << stepping.name();
 	EXPECT_EQ(0, statisticsOf(world).m_fallbacks) << what << ", " << stepping.name();
 	for (const auto& body : world.bodies())
 		EXPECT_TRUE(isFinite(*body)) << what << ", " << stepping.name();

@@ -24,13 +24,14 @@ using btElasticPlastic::SolverGroup;
 class Row
 {
 public:
-	explicit Row(int numBodies) : m_world(&m_dispatcher, &m_broadphase, &m_solver, &m_configuration), m_box(btVector3(1, 1, 1))
+	explicit Row(int numBodies)
+		: m_world(&m_dispatcher, &m_broadphase, &m_solver, &m_configuration), m_box(btVector3(1, 1, 1))
 	{
 		for (int i = 0; i < numBodies; ++i)
 		{
-			m_bodies.emplace_back(
-				new btRigidBody(btScalar(i == 0 ? 0 : 1), nullptr, &m_box, btVector3(1, 1, 1)));
-			m_bodies.back()->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(btScalar(3 * i), 0, 0)));
+			m_bodies.emplace_back(new btRigidBody(btScalar(i == 0 ? 0 : 1), nullptr, &m_box, btVector3(1, 1, 1)));
+			m_bodies.back()->setWorldTransform(
+				btTransform(btQuaternion::getIdentity(), btVector3(btScalar(3 * i), 0, 0)));
 			m_world.addRigidBody(m_bodies.back().get());
 			m_objects.push_back(m_bodies.back().get());
 		}
@@ -91,7 +92,8 @@ public:
 		m_islands.split(group);
 		std::vector<std::vector<int>> numbers;
 		for (int i = 0; i <= m_islands.getNumIslands(); ++i)
-			numbers.push_back(numbersOf(i < m_islands.getNumIslands() ? m_islands.getIsland(i) : m_islands.getOthers()));
+			numbers.push_back(
+				numbersOf(i < m_islands.getNumIslands() ? m_islands.getIsland(i) : m_islands.getOthers()));
 		return numbers;
 	}
 
