@@ -3,18 +3,10 @@
 
 #include "JointStep.h"
 
-#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "Diagonal.h"
 
 namespace btElasticPlastic
 {
-Diagonal::Diagonal(const btRigidBody& a, const btRigidBody& b)
-	: m_a(a.getInvInertiaTensorWorld()),
-	  m_b(b.getInvInertiaTensorWorld()),
-	  m_both(m_a + m_b),
-	  m_inverseMass(a.getInvMass() + b.getInvMass())
-{
-}
-
 void JointStep::project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const
 {
 	for (int i = 0; i < 3; ++i)

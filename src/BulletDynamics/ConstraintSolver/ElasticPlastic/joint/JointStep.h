@@ -18,8 +18,7 @@ struct JointRows
 		int m_dof;
 		btScalar m_diagonal;  ///< A = J M^-1 J^T
 		SoftRow m_soft;
-		signed char
-			m_bound;  ///< the bound at which the row ended in the last direct solution (-1, 0, 1), a first guess
+		signed char m_bound;  ///< where the row ended in the last direct solution (-1, 0, 1): a first guess
 	};
 
 	Kinematics m_kinematics;  ///< gives the Jacobians
@@ -126,6 +125,14 @@ private:
 		bool m_isForStock;
 	};
 
+	/// Motion of places beside velocities, by row.
+	struct RecoveryRow
+	{
+		btScalar m_rate;     ///< J times it
+		btScalar m_impulse;  ///< against all of the motion
+		signed char m_bound;
+	};
+
 	void withholdDrift();
 	DofState dofState(int dof) const;
 	PaperLaw paperLaw(int dof) const;
@@ -138,14 +145,6 @@ private:
 	btScalar m_dt = 0;
 	btScalar m_withheld[BT_EP_DOF_COUNT];  ///< strain that this step leaves to later ones, see withholdDrift()
 	btScalar m_withheldStep = 0;
-	/// Motion of places beside velocities, by row.
-	struct RecoveryRow
-	{
-		btScalar m_rate;     ///< J times it
-		btScalar m_impulse;  ///< against all of the motion
-		signed char m_bound;
-	};
-
 	bool m_hasRecovery = false;
 	RecoveryRow m_recovery[BT_EP_DOF_COUNT];
 	btVector3 m_dampingImpulse;
@@ -153,25 +152,6 @@ private:
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];
 	signed char m_lastBound[BT_EP_DOF_COUNT] = {};
-};
-
-/// A = J M^-1 J^T of a joint's rows.
-class Diagonal
-{
-public:
-	Diagonal(const btRigidBody& a, const btRigidBody& b);
-
-	/// A of a row along an axis that has these moments about the bodies' centres of mass.
-	btScalar along(const btVector3& momentA, const btVector3& momentB) const
-	{
-		return m_inverseMass + momentA.dot(m_a * momentA) + momentB.dot(m_b * momentB);
-	}
-	btScalar about(const btVector3& axis) const { return axis.dot(m_both * axis); }
-
-private:
-	const btMatrix3x3 &m_a, &m_b;
-	const btMatrix3x3 m_both;
-	const btScalar m_inverseMass;
 };
 }  // namespace btElasticPlastic
 

@@ -9,6 +9,7 @@
 #include "../../btElasticPlasticJoint.h"
 #include "BulletDynamics/ConstraintSolver/btSolverBody.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "Diagonal.h"
 #include "JointRegistry.h"
 
 namespace btElasticPlastic

@@ -58,6 +58,9 @@ void setMass(const btRigidBody& body, SystemInput::Body& to)
 		}
 }
 
+/// Bounds of rows that are at none.
+const signed char BETWEEN[BT_EP_DOF_COUNT] = {};
+
 /// Copies a Jacobian without the directions that the body's factor locks.
 void copy(double* to, const btVector3& from, const btVector3& factor)
 {
@@ -373,12 +376,11 @@ void DirectForm::giveRecovery(const Joint& joint) const
 		}
 	}
 	joint.m_works->m_step.setRecovery(linear, angular, m_recovery.getImpulses(joint.m_firstRow),
-									  m_recovery.getBounds(joint.m_firstRow));
+									  joint.m_isCut ? BETWEEN : m_recovery.getBounds(joint.m_firstRow));
 }
 
 void DirectForm::finish()
 {
-	const signed char between[BT_EP_DOF_COUNT] = {};
 	for (int j = 0; j < m_joints.size(); ++j)
 	{
 		const Joint& joint = m_joints[j];
@@ -387,7 +389,7 @@ void DirectForm::finish()
 		if (joint.m_firstDamping >= 0)
 			joint.m_works->m_step.setDampingImpulse(dampingImpulse(joint));
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),
-								   joint.m_isCut ? between : m_system.getBounds(joint.m_firstRow));
+								   joint.m_isCut ? BETWEEN : m_system.getBounds(joint.m_firstRow));
 	}
 }
 
