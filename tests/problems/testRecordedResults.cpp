@@ -184,11 +184,11 @@ struct Recorded
 const Recorded RECORDS[] = {
 	{"chains", chains, Solver::Direct, 0x73b8f6de8b9a693f, 0xdccd55531ae14f34},
 	{"chains", chains, Solver::Iterative, 0x828779abb105ccad, 0x48c55c3ceb2c7dde},
-	{"frame", frame, Solver::Direct, 0xce4e62456af10f02, 0x06c7bae6c446238b},
+	{"frame", frame, Solver::Direct, 0xd41f19e035bd4d19, 0xe79833ba387404ad},
 	{"frame", frame, Solver::Iterative, 0xa7b1dcc9bf09ab34, 0x3fd727b9049887c9},
-	{"wall", wall, Solver::Direct, 0x4454fd2fbf8fe844, 0xeed99b93ba3ffbde},
+	{"wall", wall, Solver::Direct, 0xd13c779487824df3, 0x4730f74b620cf15a},
 	{"wall", wall, Solver::Iterative, 0x36ba6fe1fe974bd9, 0x7612634db3fd0bf8},
-	{"beam", beam, Solver::Direct, 0x15b90a43f850c6d7, 0x0bf1d5f46f232fd8},
+	{"beam", beam, Solver::Direct, 0x1c9884d43ceb96a5, 0x1fac9a7ff0d155a5},
 	{"beam", beam, Solver::Iterative, 0x3fa47cd7b6f7972a, 0xec9f65b08aa93dfd},
 };
 

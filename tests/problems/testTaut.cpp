@@ -459,7 +459,9 @@ TEST(Taut, ARopeSpinsOn)
 					const double angle = spin / stepping.rate;
 					EXPECT_GE(rope.energy(), energy * (1 - angle * angle - 2 * stretch / 8 - rounding)) << which;
 					// Then it spins on, but for what is left of vibrations along it.
-					EXPECT_NEAR(afterASecond, rope.energy(), energy * byPrecision(1e-6, 1e-5)) << which;
+					// Kinetic energy alone is read here: what the start has excited goes to and fro with the joints' stretch, 6e-6
+					// of it at 6 rad/s and 1/30 s; in float that is also what rounding is.
+					EXPECT_NEAR(afterASecond, rope.energy(), energy * 1e-5) << which;
 				}
 }
 }  // namespace

@@ -11,8 +11,8 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Recovery that is slower stays where Bullet has put it: its energy is nothing, and a second solution is not worth it [m/s].
-const double SLOW = 0.02;
+/// Recovery that is slower stays where Bullet has put it: its energy is next to nothing, and a second solution is not worth it [m/s].
+const double SLOW = 0.1;
 /// How many times the impulse that would part the two bodies by themselves recovery may push. 4 leaves some of 300 random drops on
 /// beams deep for long, without a bound one of twenty makes energy; 16 does neither.
 const double MOST_PUSH = 16;
