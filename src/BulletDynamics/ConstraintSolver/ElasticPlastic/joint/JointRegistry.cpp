@@ -35,8 +35,6 @@ bool joins(const btTypedConstraint& constraint, const btRigidBody& body)
 
 /// With more joints than this their data no longer fits the second level of a processor's cache.
 const int MANY_JOINTS = 500;
-/// The number of joints ahead of the present one whose data is prefetched.
-const int AHEAD = 4;
 }  // namespace
 
 JointRegistry::~JointRegistry()
@@ -215,8 +213,8 @@ void JointRegistry::commitJoints()
 	const bool isLarge = m_joints.size() > MANY_JOINTS;
 	for (int i = 0; i < m_joints.size(); ++i)
 	{
-		if (isLarge && i + AHEAD < m_joints.size())
-			prefetch(*m_joints[i + AHEAD].m_joint);
+		if (isLarge && i + PREFETCH_AHEAD < m_joints.size())
+			prefetch(*m_joints[i + PREFETCH_AHEAD].m_joint);
 		JointWorks& joint = *m_joints[i].m_joint;
 		const int outcome = joint.commit();
 		if (outcome & JointStep::YIELDED)

@@ -74,7 +74,6 @@ public:
 		m_row[r].m_isBoundKnown = true;
 		m_lastBound[m_row[r].m_dof] = static_cast<signed char>(bound);
 	}
-	btScalar getImpulse(int r) const { return m_row[r].m_impulse; }
 
 	/// That the bodies' places move in the step beside their velocities, to take penetration back.
 	/// \param linear, angular   velocities of that motion, of both bodies

@@ -8,6 +8,9 @@
 
 namespace btElasticPlastic
 {
+/// The number of joints ahead of the present one whose data is prefetched.
+const int PREFETCH_AHEAD = 4;
+
 /// Has the processor load all of an object into its cache before it is used: the joints of a large structure do not fit there.
 template <class T>
 inline void prefetch(const T& object)

@@ -26,8 +26,6 @@ void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
 
 /// With more joints than this their data no longer fits the second level of a processor's cache.
 const int MANY_JOINTS = 400;
-/// The number of joints ahead of the present one whose data is prefetched.
-const int AHEAD = 4;
 }  // namespace
 
 SolverPools IslandSolver::pools()
@@ -73,8 +71,8 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 		const bool isLarge = numConstraints > MANY_JOINTS;
 		for (int i = 0; i < numConstraints; ++i)
 		{
-			if (isLarge && i + AHEAD < numConstraints && m_joints[i + AHEAD])
-				prefetch(*m_joints[i + AHEAD]);
+			if (isLarge && i + PREFETCH_AHEAD < numConstraints && m_joints[i + PREFETCH_AHEAD])
+				prefetch(*m_joints[i + PREFETCH_AHEAD]);
 			JointWorks* const joint = constraints[i]->isEnabled() ? m_joints[i] : nullptr;
 			if (joint && joint->beginAlone())
 				addToDirect(*joint, info);
