@@ -25,15 +25,15 @@ size_t hashOf(int numBodies, const std::vector<int>& edges)
 	return hash;
 }
 
-/// Whether a factor is so much more expensive than a solution with it that iterating with an old one pays.
-bool isWorthKeeping(const BlockFactor& factor)
+/// Whether a factor is so much more expensive than solutions with it that iterating with an old one pays.
+bool isWorthKeeping(const BlockFactor& factor, int numSolutions)
 {
 	return LinearSolver::mayKeepFactor(factor.getNumBodies()) &&
-		   double(factor.getNumOperations()) > 8. * 144 * double(factor.getNumBlocks());
+		   double(factor.getNumOperations()) > 8. * 144 * double(factor.getNumBlocks()) * numSolutions;
 }
 }  // namespace
 
-void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islandId)
+void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions)
 {
 	const ScopedTimer timer("elastic-plastic analyse", m_statistics.m_analysisTime);
 	const size_t hash = hashOf(numBodies, edges);
@@ -52,12 +52,13 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 		m_plan->m_edges = edges;
 		m_plan->m_matrix.setPattern(numBodies, reinterpret_cast<const int(*)[2]>(edges.data()), int(edges.size() / 2));
 		m_plan->m_factor.analyse(m_plan->m_matrix);
-		if (isWorthKeeping(m_plan->m_factor))
+		if (isWorthKeeping(m_plan->m_factor, 1))
 			m_plan->m_islandId = ++m_lastIslandId;
 		++m_statistics.m_analyses;
 	}
 	// The old factor of an island that has slept is not used: whether its plan is still there depends on other islands.
-	m_factorState = m_plan->m_lastUse + 1 >= m_step ? OLD : NONE;
+	m_factorState =
+		m_plan->m_lastUse + 1 >= m_step && isWorthKeeping(m_plan->m_factor, numSolutions) ? OLD : NONE;
 	m_plan->m_lastUse = m_step;
 }
 

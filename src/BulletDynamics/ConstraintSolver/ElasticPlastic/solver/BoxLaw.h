@@ -148,8 +148,8 @@ public:
 	}
 
 	double getImpulse(int row) const { return m_impulse[row]; }
-	const double* getImpulses(int row) const { return &m_impulse[row]; }
-	const signed char* getBounds(int row) const { return &m_bound[row]; }
+	const double* getImpulses(int row) const { return m_impulse.data() + row; }
+	const signed char* getBounds(int row) const { return m_bound.data() + row; }
 
 private:
 	std::vector<double> m_impulse;     // lambda, by row

@@ -9,7 +9,7 @@
 
 namespace btElasticPlastic
 {
-void SystemMatrix::begin(const SystemInput& input, int islandId)
+void SystemMatrix::begin(const SystemInput& input, int islandId, int numSolutions)
 {
 	m_edges.clear();
 	m_unitEdge.clear();
@@ -18,7 +18,7 @@ void SystemMatrix::begin(const SystemInput& input, int islandId)
 		m_unitEdge.push_back(addEdge(unit.m_body));
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
 		m_singleRowEdge.push_back(addEdge(row.m_body));
-	m_solver.begin(input.getNumBodies(), m_edges, islandId);
+	m_solver.begin(input.getNumBodies(), m_edges, islandId, numSolutions);
 }
 
 /// Rows between the same bodies that follow each other have one edge.
@@ -34,6 +34,17 @@ int SystemMatrix::addEdge(const int body[2])
 
 void SystemMatrix::assemble(const SystemInput& input, BoxLaw& law)
 {
+	add(input, law);
+	m_changedBodies.clear();
+	for (const SystemInput::Unit& unit : input.m_units)
+		noteChange(unit.m_body, law.noteTangent(unit.m_firstRow, unit.m_numRows));
+	for (const SystemInput::SingleRow& row : input.m_singleRows)
+		noteChange(row.m_body, law.noteTangent(row.m_row, 1));
+	m_solver.setAssembled(m_changedBodies);
+}
+
+void SystemMatrix::addMasses(const SystemInput& input)
+{
 	BlockMatrix& matrix = m_solver.getMatrix();
 	matrix.setZero();
 	for (int b = 0; b < input.getNumBodies(); ++b)
@@ -45,21 +56,6 @@ void SystemMatrix::assemble(const SystemInput& input, BoxLaw& law)
 			memcpy(block + 6 * (3 + i) + 3, &input.m_bodies[b].m_inertia[3 * i], 3 * sizeof(double));
 		}
 	}
-	m_changedBodies.clear();
-	for (size_t i = 0; i < input.m_units.size(); ++i)
-	{
-		const SystemInput::Unit& unit = input.m_units[i];
-		addUnit(unit, m_unitEdge[i], input, law);
-		noteChange(unit.m_body, law.noteTangent(unit.m_firstRow, unit.m_numRows));
-	}
-	for (size_t i = 0; i < input.m_singleRows.size(); ++i)
-	{
-		const SystemInput::SingleRow& row = input.m_singleRows[i];
-		if (const double tangent = law.getTangent(input, row.m_row))
-			addSingleRow(row, m_singleRowEdge[i], tangent);
-		noteChange(row.m_body, law.noteTangent(row.m_row, 1));
-	}
-	m_solver.setAssembled(m_changedBodies);
 }
 
 void SystemMatrix::noteChange(const int body[2], bool hasChanged)
@@ -93,10 +89,8 @@ struct Parts
 /// With the unit's tangent S along the axes and U about them, and X the matrix of r x: J^T (d lambda / du) J is
 ///     [ S     S X^T         ]
 ///     [ X S   X S X^T + U   ]   on a body, and minus [ S, S XB^T; XA S, XA S XB^T + U ] between the two.
-void SystemMatrix::addUnit(const SystemInput::Unit& unit, int edge, const SystemInput& input, const BoxLaw& law)
+void SystemMatrix::addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9])
 {
-	double linear[9] = {}, angular[9] = {};
-	law.addTangent(input, unit, linear, angular);
 	// X S of both bodies; as S is symmetric, S X^T is its mirror image, and X S X^T the product of X with that.
 	double moment[2][9], mirrored[2][9];
 	for (int side = 0; side < 2; ++side)

@@ -18,15 +18,27 @@ class SystemMatrix
 public:
 	explicit SystemMatrix(LinearSolver& solver) : m_solver(solver) {}
 
-	/// Begins a problem. \param islandId  see LinearSolver::begin
-	void begin(const SystemInput& input, int islandId);
+	/// Begins a problem. \param islandId, numSolutions  see LinearSolver::begin
+	void begin(const SystemInput& input, int islandId, int numSolutions);
 
 	/// Computes H for the rows' present tangents, and tells the linear solver what has changed since the last time.
 	void assemble(const SystemInput& input, BoxLaw& law);
 
+	/// Computes H for tangents that have nothing to do with the last ones.
+	/// \param tangents  with addTangent() and getTangent() of BoxLaw
+	template <class Tangents>
+	void assembleAnew(const SystemInput& input, const Tangents& tangents)
+	{
+		add(input, tangents);
+		m_solver.forgetFactor();
+	}
+
 private:
 	int addEdge(const int body[2]);
-	void addUnit(const SystemInput::Unit& unit, int edge, const SystemInput& input, const BoxLaw& law);
+	template <class Tangents>
+	void add(const SystemInput& input, const Tangents& tangents);
+	void addMasses(const SystemInput& input);
+	void addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9]);
 	void addSingleRow(const SystemInput::SingleRow& row, int edge, double tangent);
 	void noteChange(const int body[2], bool hasChanged);
 
@@ -36,6 +48,21 @@ private:
 	std::vector<int> m_singleRowEdge;  // the same per single row
 	std::vector<int> m_changedBodies;  // by the last assembly
 };
+
+template <class Tangents>
+void SystemMatrix::add(const SystemInput& input, const Tangents& tangents)
+{
+	addMasses(input);
+	for (size_t i = 0; i < input.m_units.size(); ++i)
+	{
+		double linear[9] = {}, angular[9] = {};
+		tangents.addTangent(input, input.m_units[i], linear, angular);
+		addUnit(input.m_units[i], m_unitEdge[i], linear, angular);
+	}
+	for (size_t i = 0; i < input.m_singleRows.size(); ++i)
+		if (const double tangent = tangents.getTangent(input, input.m_singleRows[i].m_row))
+			addSingleRow(input.m_singleRows[i], m_singleRowEdge[i], tangent);
+}
 }  // namespace btElasticPlastic
 
 #endif  // BT_ELASTIC_PLASTIC_SYSTEM_MATRIX_H

@@ -1,0 +1,366 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "InteriorPoint.h"
+
+#include <math.h>
+
+#include <algorithm>
+
+#include "../linear/ScopedTimer.h"
+#include "Jacobian.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// The first barrier over the mean of what rows are beyond their bounds, measured on walls, frames, towers and lattices that are hit:
+/// with 1 they take a quarter more iterations, with 1000 the search that follows takes more steps than are saved.
+const double FIRST_BARRIER = 100;
+/// The iterations end at this share of the first barrier, and of the first momentum that is not balanced. Newton's method ends the
+/// search from there in a step or two.
+const double BARRIER_END = 1e-8, MOMENTUM_END = 1e-7;
+/// A rough solution ends here, with two digits: the barrier was begun so much above the rows'.
+const double ROUGH_END = 1e-3, ROUGH_MOMENTUM_END = 1e-2;
+/// The point at which the next search begins: further on its pushes would be too uneven.
+const double KEPT = 0.1;
+/// The share of the way to the nearest bound that a step may go.
+const double MOST_OF_THE_WAY = 0.995;
+/// The first impulse of a contact, as a share of what would stop its bodies by themselves.
+const double FIRST_CONTACT = 1;
+/// Velocity [m/s] at which contacts count as approaching at least.
+const double SLOWEST_CONTACT = 0.1;
+/// The least normal impulse [N s] by which friction is bounded: its bounds must not meet within the iterations.
+const double LEAST_NORMAL = 1e-9;
+/// Friction's bounds follow down to this share of the first barrier: by then normal impulses have two or three digits, and with bounds
+/// that moved for ever the iterations would not end.
+const double LAST_FRICTION = 1e-5;
+/// Further from an impulse than this there is no bound: it would only take digits.
+const double NO_BOUND = 1e20;
+
+double largest(const std::vector<double>& elements)
+{
+	double most = 0;
+	for (const double element : elements)
+		most = std::max(most, fabs(element));
+	return most;
+}
+}  // namespace
+
+struct InteriorPoint::Tangents
+{
+	const std::vector<double>& m_tangent;
+
+	void addTangent(const SystemInput&, const SystemInput::Unit& unit, double linear[9], double angular[9]) const
+	{
+		for (int r = 0; r < unit.m_numRows; ++r)
+		{
+			const double* const a = unit.m_axis[unit.m_dof[r] % 3];
+			double* const to = unit.m_dof[r] < 3 ? linear : angular;
+			const double weight = m_tangent[size_t(unit.m_firstRow + r)];
+			for (int c = 0; c < 3; ++c)
+				for (int k = 0; k < 3; ++k)
+					to[3 * c + k] += weight * a[c] * a[k];
+		}
+	}
+	double getTangent(const SystemInput&, int row) const { return m_tangent[size_t(row)]; }
+};
+
+double InteriorPoint::frictionBound(const SystemInput::SingleRow& friction, const SystemInput& input) const
+{
+	const int normal = input.m_singleRows[size_t(friction.m_normal)].m_row;
+	const double bound = friction.m_friction * std::max(LEAST_NORMAL, m_impulse[size_t(normal)]);
+	return friction.m_frictionMax > 0 ? std::min(bound, friction.m_frictionMax) : bound;
+}
+
+/// Impulses in the middle of their bounds, those of contacts at what stops the approach.
+void InteriorPoint::beginRows(const SystemInput& input, const AugmentedContacts& contacts)
+{
+	const size_t n = input.m_rows.size();
+	for (std::vector<double>* terms : {&m_target, &m_compliance, &m_lower, &m_upper, &m_isOpen, &m_impulse})
+		terms->resize(n);
+	for (std::vector<double>* terms : {&m_lowerPush, &m_upperPush, &m_lowerChange, &m_upperChange, &m_impulseChange})
+		terms->assign(n, 0.);
+	for (size_t i = 0; i < n; ++i)
+	{
+		const SystemInput::Bounded& row = input.m_rows[i];
+		m_target[i] = row.m_target;
+		m_compliance[i] = row.m_compliance;
+		m_lower[i] = std::max(row.m_lower, -NO_BOUND);
+		m_upper[i] = std::min(row.m_upper, NO_BOUND);
+		m_isOpen[i] = m_upper[i] > m_lower[i] ? 1 : 0;
+		m_impulse[i] = 0.5 * (m_lower[i] + m_upper[i]);
+	}
+	m_friction.clear();
+	for (int i = 0; i < input.getNumSingleRows(); ++i)
+	{
+		const SystemInput::SingleRow& single = input.m_singleRows[size_t(i)];
+		if (!single.m_isContact)
+			continue;
+		const size_t r = size_t(single.m_row);
+		const double softened = m_compliance[r];
+		const SystemInput::Bounded hard = contacts.getHardRow(input, i);
+		m_target[r] = hard.m_target;
+		m_compliance[r] = hard.m_compliance;
+		if (single.m_normal < 0)
+		{
+			const double approach = std::max(fabs(m_target[r] - m_along[r]), SLOWEST_CONTACT);
+			m_impulse[r] =
+				std::max(m_lower[r], 0.) + FIRST_CONTACT * approach / (100 * softened) + input.m_guess[r].m_impulse;
+			continue;
+		}
+		m_friction.push_back(i);
+		m_upper[r] = frictionBound(single, input);
+		m_lower[r] = -m_upper[r];
+		m_isOpen[r] = m_upper[r] > 0 ? 1 : 0;
+		m_impulse[r] = 0;
+	}
+	// Rows without bounds are linear.
+	for (size_t i = 0; i < n; ++i)
+		if (m_lower[i] <= -NO_BOUND && m_upper[i] >= NO_BOUND)
+			m_impulse[i] = (m_target[i] - m_along[i]) / m_compliance[i];
+}
+
+/// What the bounds push with: it balances the row, with the barrier beside it.
+void InteriorPoint::beginAtCentre()
+{
+	const size_t n = m_impulse.size();
+	double beyond = 0;
+	m_pairs = 0;
+	for (size_t i = 0; i < n; ++i)
+	{
+		const double open = m_isOpen[i];
+		const double below = m_impulse[i] - m_lower[i], above = m_upper[i] - m_impulse[i];
+		const double rest = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i];
+		const double gap = std::min(below, above);
+		m_pairs += 2 * open;
+		if (gap < NO_BOUND / 2)
+			beyond += open * fabs(rest) * gap;
+	}
+	const double barrier = FIRST_BARRIER * 2 * beyond / std::max(m_pairs, 1.);
+	double sum = 0;
+	for (size_t i = 0; i < n; ++i)
+	{
+		if (m_isOpen[i] == 0)
+			continue;
+		const double below = m_impulse[i] - m_lower[i], above = m_upper[i] - m_impulse[i];
+		const double rest = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i];
+		m_lowerPush[i] = barrier / below + (below < NO_BOUND / 2 ? std::max(rest, 0.) : 0.);
+		m_upperPush[i] = barrier / above + (above < NO_BOUND / 2 ? std::max(-rest, 0.) : 0.);
+		sum += m_lowerPush[i] * below + m_upperPush[i] * above;
+	}
+	m_mu = sum / std::max(m_pairs, 1.);
+}
+
+/// Where the kept impulse still is within its bounds, the pushes take what the row's target has changed by.
+void InteriorPoint::beginAtPoint()
+{
+	const size_t n = m_impulse.size();
+	m_pairs = 0;
+	for (size_t i = 0; i < n; ++i)
+	{
+		m_pairs += 2 * m_isOpen[i];
+		if (m_isOpen[i] == 0 || !(m_kept.m_impulse[i] > m_lower[i] && m_kept.m_impulse[i] < m_upper[i]))
+			continue;
+		m_impulse[i] = m_kept.m_impulse[i];
+		m_lowerPush[i] = m_kept.m_lowerPush[i];
+		m_upperPush[i] = m_kept.m_upperPush[i];
+		const double rest = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i] - m_lowerPush[i] + m_upperPush[i];
+		if (rest > 0 && m_lower[i] > -NO_BOUND)
+			m_lowerPush[i] += rest;
+		else if (rest < 0 && m_upper[i] < NO_BOUND)
+			m_upperPush[i] -= rest;
+	}
+	sumBarrier();
+}
+
+void InteriorPoint::keepPoint(const std::vector<double>& velocity)
+{
+	m_kept.m_velocity = velocity;
+	m_kept.m_impulse = m_impulse;
+	m_kept.m_lowerPush = m_lowerPush;
+	m_kept.m_upperPush = m_upperPush;
+}
+
+/// The tangents of all rows, and what is left of them.
+void InteriorPoint::weigh()
+{
+	const size_t n = m_impulse.size();
+	m_tangent.resize(n);
+	m_rest.resize(n);
+	for (size_t i = 0; i < n; ++i)
+	{
+		const double open = m_isOpen[i], shut = 1 - open;
+		const double below = m_impulse[i] - m_lower[i] + shut, above = m_upper[i] - m_impulse[i] + shut;
+		m_tangent[i] = open / (m_compliance[i] + m_lowerPush[i] / below + m_upperPush[i] / above);
+		m_rest[i] = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i] - m_lowerPush[i] + m_upperPush[i];
+	}
+}
+
+/// Computes a step: the predictor aims at no barrier, the corrector at m_centring of it, with the predictor's products.
+bool InteriorPoint::step(const SystemInput& input, LinearSolver& solver, bool isCorrector)
+{
+	const size_t n = m_impulse.size();
+	const double aim = isCorrector ? m_centring * m_mu : 0, products = isCorrector ? 1 : 0;
+	m_right.resize(n);
+	m_work.resize(n);
+	for (size_t i = 0; i < n; ++i)
+	{
+		const double shut = 1 - m_isOpen[i];
+		const double below = m_impulse[i] - m_lower[i] + shut, above = m_upper[i] - m_impulse[i] + shut;
+		const double lower = (aim - products * m_impulseChange[i] * m_lowerChange[i]) / below - m_lowerPush[i];
+		const double upper = (aim + products * m_impulseChange[i] * m_upperChange[i]) / above - m_upperPush[i];
+		// What the pushes change by if the impulse does not.
+		m_lowerChange[i] = lower;
+		m_upperChange[i] = upper;
+		m_right[i] = lower - upper - m_rest[i];
+		m_work[i] = m_right[i] * m_tangent[i];
+	}
+	m_change = m_momentum;
+	addImpulses(input, m_work.data(), m_change);
+	if (!solver.solve(m_change))
+		return false;
+	project(input, m_change, m_work);
+	for (size_t i = 0; i < n; ++i)
+	{
+		const double shut = 1 - m_isOpen[i];
+		const double below = m_impulse[i] - m_lower[i] + shut, above = m_upper[i] - m_impulse[i] + shut;
+		const double change = (m_right[i] - m_work[i]) * m_tangent[i];
+		m_impulseChange[i] = change;
+		m_lowerChange[i] -= m_lowerPush[i] / below * change;
+		m_upperChange[i] += m_upperPush[i] / above * change;
+	}
+	return true;
+}
+
+/// The share of the step at which the first bound, or the first push, is met; at most 1.
+double InteriorPoint::longest() const
+{
+	double most = 1;  // the greatest of what falls, over what there is of it
+	const size_t n = m_impulse.size();
+	for (size_t i = 0; i < n; ++i)
+	{
+		if (m_isOpen[i] == 0)
+			continue;
+		const double change = m_impulseChange[i];
+		const double impulse = change < 0 ? change / (m_lower[i] - m_impulse[i]) : change / (m_upper[i] - m_impulse[i]);
+		const double lower = -m_lowerChange[i] / m_lowerPush[i], upper = -m_upperChange[i] / m_upperPush[i];
+		most = std::max(most, std::max(impulse, std::max(lower, upper)));
+	}
+	return 1 / most;
+}
+
+/// Mehrotra's rule: the cube of what a share of the predictor's step would leave of the barrier.
+double InteriorPoint::centring(double share) const
+{
+	double sum = 0;
+	const size_t n = m_impulse.size();
+	for (size_t i = 0; i < n; ++i)
+	{
+		const double impulse = m_impulse[i] + share * m_impulseChange[i];
+		sum += m_isOpen[i] * ((m_lowerPush[i] + share * m_lowerChange[i]) * (impulse - m_lower[i]) +
+							  (m_upperPush[i] + share * m_upperChange[i]) * (m_upper[i] - impulse));
+	}
+	const double left = sum / m_pairs / m_mu;
+	return left * left * left;
+}
+
+/// Friction's bounds follow the normal impulses, and its impulses their bounds.
+void InteriorPoint::moveFriction(const SystemInput& input)
+{
+	for (const int i : m_friction)
+	{
+		const SystemInput::SingleRow& friction = input.m_singleRows[size_t(i)];
+		const size_t r = size_t(friction.m_row);
+		const double bound = frictionBound(friction, input);
+		if (m_isOpen[r] == 0)
+			continue;
+		const double change = m_impulse[r] * (bound / m_upper[r] - 1);
+		m_impulse[r] += change;
+		addImpulse(friction, change, m_momentum);
+		m_upper[r] = bound;
+		m_lower[r] = -bound;
+	}
+}
+
+void InteriorPoint::sumBarrier()
+{
+	double sum = 0;
+	const size_t n = m_impulse.size();
+	for (size_t i = 0; i < n; ++i)
+		sum +=
+			m_isOpen[i] * (m_lowerPush[i] * (m_impulse[i] - m_lower[i]) + m_upperPush[i] * (m_upper[i] - m_impulse[i]));
+	m_mu = sum / m_pairs;
+}
+
+bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& contacts, SystemMatrix& matrix,
+						  LinearSolver& solver, std::vector<double>& velocity, int maxIterations, bool isRough)
+{
+	const std::vector<double> start = velocity;
+	const bool isAgain = hasPoint();
+	if (isAgain)
+		velocity = m_kept.m_velocity;
+	project(input, velocity, m_along);
+	beginRows(input, contacts);
+	beginAtCentre();
+	if (isAgain)
+		beginAtPoint();
+	else
+		m_firstMu = m_mu;
+	m_momentum.assign(velocity.size(), 0.);
+	multiplyMass(input, velocity, m_momentum);
+	for (double& element : m_momentum)
+		element = -element;
+	addImpulses(input, m_impulse.data(), m_momentum);
+	if (!isAgain)
+		m_firstUnbalanced = largest(m_momentum);
+	if (!(m_mu > 0))
+		return false;
+	const double end = isRough ? ROUGH_END : BARRIER_END;
+	for (int i = 0; i < maxIterations && (m_mu > end * m_firstMu ||
+										  largest(m_momentum) > (isRough ? ROUGH_MOMENTUM_END : MOMENTUM_END) * m_firstUnbalanced);
+		 ++i)
+	{
+		++m_statistics.m_interiorIterations;
+		double share;
+		{
+			const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);
+			weigh();
+			matrix.assembleAnew(input, Tangents{m_tangent});
+		}
+		if (!step(input, solver, false))
+			break;
+		m_centring = centring(longest());
+		if (!step(input, solver, true))
+			break;
+		share = std::min(1., MOST_OF_THE_WAY * longest());
+		const size_t n = m_impulse.size();
+		for (size_t r = 0; r < n; ++r)
+		{
+			m_impulse[r] += share * m_impulseChange[r];
+			m_lowerPush[r] += share * m_lowerChange[r];
+			m_upperPush[r] += share * m_upperChange[r];
+			m_along[r] += share * m_work[r];
+		}
+		for (size_t k = 0; k < velocity.size(); ++k)
+		{
+			velocity[k] += share * m_change[k];
+			m_momentum[k] *= 1 - share;
+		}
+		if (m_mu > LAST_FRICTION * m_firstMu)
+			moveFriction(input);
+		sumBarrier();
+		if (!(m_mu > 0 && m_mu < 1e300))
+		{
+			velocity = start;
+			m_kept.m_velocity.clear();
+			return false;
+		}
+		if (!isAgain && !hasPoint() && m_mu <= KEPT * m_firstMu)
+			keepPoint(velocity);
+	}
+	if (!hasPoint())
+		keepPoint(velocity);
+	return true;
+}
+}  // namespace btElasticPlastic

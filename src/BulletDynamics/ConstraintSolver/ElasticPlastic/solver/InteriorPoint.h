@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_INTERIOR_POINT_H
+#define BT_ELASTIC_PLASTIC_INTERIOR_POINT_H
+
+#include <vector>
+
+#include "AugmentedContacts.h"
+#include "SystemMatrix.h"
+
+namespace btElasticPlastic
+{
+/// Solves a System from within the bounds, for steps in which hundreds of rows reach or leave a bound at once.
+///
+/// Newton's method (System) goes from kink to kink there, and hundreds of its steps may be needed. Here all bounds are kept off by a
+/// barrier mu that falls to zero. With zl and zu, what the bounds push with, the solution has
+///
+///     M dv = sum J^T lambda,   C lambda + J dv - b = zl - zu,   zl (lambda - lower) = zu (upper - lambda) = mu,
+///
+/// and a Newton step of these equations is a solution with M + sum J^T (C + D)^-1 J, D = zl / (lambda - lower) + zu / (upper -
+/// lambda): the same graph and plan as of H, and no row changes sides. Each factor is used twice, to predict and to correct
+/// (S. Mehrotra, On the implementation of a primal-dual interior point method, SIAM J. Optim. 2 (1992) 575-601). Contacts take part
+/// without their softening, and friction's bounds follow the normal impulses from iteration to iteration.
+///
+/// It begins with all impulses in the middle of their bounds, where zl - zu is right at once, and with a barrier well above what
+/// rows beyond their bounds have: from there a dozen iterations are enough where hundreds of rows flow. A problem that is solved again
+/// with other targets begins at a point that the last search has passed.
+class InteriorPoint
+{
+public:
+	explicit InteriorPoint(btElasticPlasticStatistics& statistics) : m_statistics(statistics) {}
+
+	/// To be called when the rows are others, not only their targets.
+	void begin() { m_kept.m_velocity.clear(); }
+
+	/// Whether there is a point of an earlier search to begin at.
+	bool hasPoint() const { return !m_kept.m_velocity.empty(); }
+
+	/// \param velocity  dv to begin with, if there is no point; gets the solution, of a few digits, of two if isRough
+	/// \return false if there is nothing to solve, or no number comes out: velocity is as it was
+	bool solve(const SystemInput& input, const AugmentedContacts& contacts, SystemMatrix& matrix, LinearSolver& solver,
+			   std::vector<double>& velocity, int maxIterations, bool isRough);
+
+	/// The impulses of the solution, strictly between their bounds; by row.
+	const std::vector<double>& getImpulses() const { return m_impulse; }
+
+	/// The upper bounds to which friction has been held; by row.
+	const std::vector<double>& getUpperBounds() const { return m_upper; }
+
+private:
+	/// A barrier's tangents, for SystemMatrix.
+	struct Tangents;
+
+	/// From which a search can begin again.
+	struct Point
+	{
+		std::vector<double> m_velocity, m_impulse, m_lowerPush, m_upperPush;
+	};
+
+	void beginRows(const SystemInput& input, const AugmentedContacts& contacts);
+	void beginAtCentre();
+	void beginAtPoint();
+	void keepPoint(const std::vector<double>& velocity);
+	void weigh();
+	void moveFriction(const SystemInput& input);
+	void sumBarrier();
+	bool step(const SystemInput& input, LinearSolver& solver, bool isCorrector);
+	double longest() const;
+	double centring(double share) const;
+	double frictionBound(const SystemInput::SingleRow& friction, const SystemInput& input) const;
+
+	btElasticPlasticStatistics& m_statistics;
+	double m_mu = 0;       // mean of what the bounds push with, times their distance
+	double m_pairs = 0;    // rows with bounds, twice
+	double m_firstMu = 0, m_firstUnbalanced = 0;  // of the first search
+	Point m_kept;
+	double m_centring = 0;           // the share of mu that a step aims at
+	std::vector<double> m_momentum;  // J^T lambda - M dv, what is left of it
+	std::vector<double> m_change;    // of dv
+	// By row.
+	std::vector<double> m_target, m_compliance, m_lower, m_upper;
+	std::vector<double> m_isOpen;  // 1; 0 where both bounds are the same
+	std::vector<double> m_impulse, m_lowerPush, m_upperPush;
+	std::vector<double> m_along, m_rest;  // J dv; what is left of the row
+	std::vector<double> m_tangent;        // (C + D)^-1
+	std::vector<double> m_right, m_impulseChange, m_lowerChange, m_upperChange;
+	std::vector<double> m_work;
+	std::vector<int> m_friction;  // single rows
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_INTERIOR_POINT_H
