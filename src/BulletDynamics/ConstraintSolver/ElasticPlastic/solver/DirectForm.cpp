@@ -22,12 +22,14 @@ const double SOFTENING = 1e-2;
 const double UNBOUNDED = 1e30;
 /// A contact slides, as a first guess, if its friction had this share of its bound in the last step.
 const double SLIDING = 0.999;
-/// A loose body this many times as heavy as the joined one that it touches is heavy: its contact would take long to sweep.
+/// A contact would take long to sweep if what it holds, a loose body or a structure's share, is this many times as heavy as the joined
+/// body that touches.
 const double HEAVY = 3;
-/// The most contacts of heavy bodies that are in the system.
-const int MOST_HEAVY = 32;
+/// The most such contacts that are in the system.
+const int MOST_HEAVY = 64;
 /// Sweeps of contacts between two solutions of the system.
 const int SWEEPS_A_SOLUTION = 2;
+const int SWEEPS_WHERE_IT_FLOWS = 5;
 /// Inertia over mass [m^2] of a body about an axis about which it has no inertia in Bullet: so much that nothing turns it.
 const double INERTIA_OF_NONE = 1e6;
 
@@ -306,18 +308,62 @@ void DirectForm::addConstraints(const SolverPools& pools)
 			m_swept.addConstraint(i);
 }
 
-bool DirectForm::isHeavyOnLight(const btSolverConstraint& contact, const SolverPools& pools) const
+/// Chooses the contacts that stay in the system: sweeping sees only the two bodies that touch, and takes long where much more rests
+/// on them.
+void DirectForm::chooseExactContacts(const SolverPools& pools)
 {
-	const int bodies[2] = {contact.m_solverBodyIdA, contact.m_solverBodyIdB};
-	for (int side = 0; side < 2; ++side)
+	const int n = pools.m_contacts.size();
+	m_singleRowOf.resizeNoInitialize(n);
+	for (int i = 0; i < n; ++i)
+		m_singleRowOf[i] = m_sweepsContacts ? -1 : 0;
+	if (!m_sweepsContacts)
+		return;
+	m_structures.find(m_input);
+	const auto massOf = [&](int solverBody)
+	{ return 1 / double(pools.m_bodies[solverBody].m_originalBody->getInvMass()); };
+	// The body of a structure that the contact holds, -1 if it holds none: from below, or against something heavier.
+	const auto heldBy = [&](const btSolverConstraint& contact)
 	{
-		const int loose = bodies[side], joined = bodies[1 - side];
-		if (m_index[loose] == OUTSIDE && m_index[joined] >= 0 &&
-			pools.m_bodies[joined].m_originalBody->getInvMass() >
-				HEAVY * pools.m_bodies[loose].m_originalBody->getInvMass())
-			return true;
+		const int bodies[2] = {contact.m_solverBodyIdA, contact.m_solverBodyIdB};
+		for (int side = 0; side < 2; ++side)
+		{
+			const int joined = bodies[side], other = bodies[1 - side];
+			if (m_index[joined] >= 0 && !m_structures.isHeld(m_index[joined]) && m_index[other] == STILL)
+				return joined;
+		}
+		return -1;
+	};
+	m_numSupports.resizeNoInitialize(0);
+	m_numSupports.resize(m_input.getNumBodies(), 0);
+	for (int i = 0; i < n; ++i)
+	{
+		const int held = heldBy(pools.m_contacts[i]);
+		if (held >= 0)
+			++m_numSupports[m_structures.of(m_index[held])];
 	}
-	return false;
+	const auto isHeavy = [&](const btSolverConstraint& contact)
+	{
+		const int held = heldBy(contact);
+		if (held >= 0)
+		{
+			const int body = m_index[held];
+			return m_structures.getMass(body) > HEAVY * massOf(held) * m_numSupports[m_structures.of(body)];
+		}
+		const int bodies[2] = {contact.m_solverBodyIdA, contact.m_solverBodyIdB};
+		for (int side = 0; side < 2; ++side)
+		{
+			const int loose = bodies[side], joined = bodies[1 - side];
+			if (m_index[loose] == OUTSIDE && m_index[joined] >= 0 && massOf(loose) > HEAVY * massOf(joined))
+				return true;
+		}
+		return false;
+	};
+	for (int i = 0, numHeavy = 0; i < n && numHeavy < MOST_HEAVY; ++i)
+		if (isHeavy(pools.m_contacts[i]))
+		{
+			m_singleRowOf[i] = 0;
+			++numHeavy;
+		}
 }
 
 /// \return the contact's single row
@@ -347,15 +393,7 @@ int DirectForm::addContact(btSolverConstraint& contact, const SolverPools& pools
 /// energy and creates none.
 void DirectForm::addContacts(const SolverPools& pools, const btContactSolverInfo& info)
 {
-	m_singleRowOf.resizeNoInitialize(pools.m_contacts.size());
-	int numHeavy = 0;
-	// Which contacts are swept is decided before one of them changes what is in the system.
-	for (int i = 0; i < pools.m_contacts.size(); ++i)
-	{
-		const bool isExact = !m_sweepsContacts || (numHeavy < MOST_HEAVY && isHeavyOnLight(pools.m_contacts[i], pools));
-		numHeavy += isExact;
-		m_singleRowOf[i] = isExact ? 0 : -1;
-	}
+	chooseExactContacts(pools);
 	for (int i = 0; i < pools.m_contacts.size(); ++i)
 	{
 		btSolverConstraint& contact = pools.m_contacts[i];
@@ -457,8 +495,11 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 		writeVelocities(pools);
 		if (isLast)
 			break;
-		// Under a blow solutions are expensive, and what contacts give changes little in the end.
-		for (int i = 0; (i < SWEEPS_A_SOLUTION || m_system.isHard()) && done < sweeps; ++i, ++done)
+		// The more of the structure is flowing, the more a solution costs, and the less it says about the next one.
+		const int most = m_system.isHard()        ? sweeps
+						 : m_system.hasSearched() ? SWEEPS_WHERE_IT_FLOWS
+												  : SWEEPS_A_SOLUTION;
+		for (int i = 0; i < most && done < sweeps; ++i, ++done)
 			m_swept.sweep(pools, rowSolvers);
 	}
 	if (!isSolved || !(m_swept.hasRecovery() || m_recovery.hasContacts()))

@@ -7,6 +7,7 @@
 #include "../joint/JointWorks.h"
 #include "Recovery.h"
 #include "SolverPools.h"
+#include "Structures.h"
 #include "SweptRows.h"
 #include "System.h"
 
@@ -74,7 +75,7 @@ private:
 	SystemInput::SingleRow& addRow(btSolverConstraint& row, const SolverPools& pools);
 	SystemInput::SingleRow& addContactRow(btSolverConstraint& row, const SolverPools& pools);
 	void addConstraints(const SolverPools& pools);
-	bool isHeavyOnLight(const btSolverConstraint& contact, const SolverPools& pools) const;
+	void chooseExactContacts(const SolverPools& pools);
 	void addContacts(const SolverPools& pools, const btContactSolverInfo& info);
 	int addContact(btSolverConstraint& contact, const SolverPools& pools, const btContactSolverInfo& info);
 	void addFriction(btConstraintArray& rows, bool isRolling, const SolverPools& pools,
@@ -99,6 +100,8 @@ private:
 	// Where contacts are swept.
 	bool m_sweepsContacts = false;
 	SweptRows m_swept;
+	Structures m_structures;
+	btAlignedObjectArray<int> m_numSupports;   ///< contacts that hold a structure, by its body
 	btAlignedObjectArray<int> m_solverBodies;  ///< of each body in the system
 	std::vector<double> m_byOthers;            ///< by body, 6 doubles: change of velocity that swept rows have given
 	std::vector<double> m_written;             ///< the same, as the bodies had it after the last solution

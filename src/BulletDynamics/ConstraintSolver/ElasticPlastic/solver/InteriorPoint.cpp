@@ -182,87 +182,97 @@ void InteriorPoint::keepPoint(const std::vector<double>& velocity)
 	m_kept.m_upperPush = m_upperPush;
 }
 
-/// The tangents of all rows, and what is left of them.
+/// The tangents of all rows.
 void InteriorPoint::weigh()
 {
 	const size_t n = m_impulse.size();
 	m_tangent.resize(n);
-	m_rest.resize(n);
+	m_overBelow.resize(n);
+	m_overAbove.resize(n);
 	for (size_t i = 0; i < n; ++i)
 	{
 		const double open = m_isOpen[i], shut = 1 - open;
-		const double below = m_impulse[i] - m_lower[i] + shut, above = m_upper[i] - m_impulse[i] + shut;
-		m_tangent[i] = open / (m_compliance[i] + m_lowerPush[i] / below + m_upperPush[i] / above);
-		m_rest[i] = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i] - m_lowerPush[i] + m_upperPush[i];
+		m_overBelow[i] = open / (m_impulse[i] - m_lower[i] + shut);
+		m_overAbove[i] = open / (m_upper[i] - m_impulse[i] + shut);
+		m_tangent[i] = open / (m_compliance[i] + m_lowerPush[i] * m_overBelow[i] + m_upperPush[i] * m_overAbove[i]);
 	}
 }
 
-/// Computes a step: the predictor aims at no barrier, the corrector at m_centring of it, with the predictor's products.
-bool InteriorPoint::step(const SystemInput& input, LinearSolver& solver, bool isCorrector)
+/// Finds the change of dv, and of all impulses, for m_right.
+bool InteriorPoint::solveStep(const SystemInput& input, LinearSolver& solver)
 {
 	const size_t n = m_impulse.size();
-	const double aim = isCorrector ? m_centring * m_mu : 0, products = isCorrector ? 1 : 0;
-	m_right.resize(n);
-	m_work.resize(n);
 	for (size_t i = 0; i < n; ++i)
-	{
-		const double shut = 1 - m_isOpen[i];
-		const double below = m_impulse[i] - m_lower[i] + shut, above = m_upper[i] - m_impulse[i] + shut;
-		const double lower = (aim - products * m_impulseChange[i] * m_lowerChange[i]) / below - m_lowerPush[i];
-		const double upper = (aim + products * m_impulseChange[i] * m_upperChange[i]) / above - m_upperPush[i];
-		// What the pushes change by if the impulse does not.
-		m_lowerChange[i] = lower;
-		m_upperChange[i] = upper;
-		m_right[i] = lower - upper - m_rest[i];
 		m_work[i] = m_right[i] * m_tangent[i];
-	}
 	m_change = m_momentum;
 	addImpulses(input, m_work.data(), m_change);
 	if (!solver.solve(m_change))
 		return false;
 	project(input, m_change, m_work);
 	for (size_t i = 0; i < n; ++i)
-	{
-		const double shut = 1 - m_isOpen[i];
-		const double below = m_impulse[i] - m_lower[i] + shut, above = m_upper[i] - m_impulse[i] + shut;
-		const double change = (m_right[i] - m_work[i]) * m_tangent[i];
-		m_impulseChange[i] = change;
-		m_lowerChange[i] -= m_lowerPush[i] / below * change;
-		m_upperChange[i] += m_upperPush[i] / above * change;
-	}
+		m_impulseChange[i] = (m_right[i] - m_work[i]) * m_tangent[i];
 	return true;
 }
 
-/// The share of the step at which the first bound, or the first push, is met; at most 1.
-double InteriorPoint::longest() const
+/// The predictor's step aims at no barrier. Along it the products of pushes and distances are known in closed form.
+bool InteriorPoint::predict(const SystemInput& input, LinearSolver& solver)
 {
-	double most = 1;  // the greatest of what falls, over what there is of it
 	const size_t n = m_impulse.size();
+	m_right.resize(n);
+	m_work.resize(n);
+	for (size_t i = 0; i < n; ++i)
+		m_right[i] = m_isOpen[i] * (m_target[i] - m_along[i] - m_compliance[i] * m_impulse[i]);
+	if (!solveStep(input, solver))
+		return false;
+	double most = 1;   // the greatest of what falls in the step, over what there is of it
+	double curve = 0;  // what the products have in the square of the step's share
 	for (size_t i = 0; i < n; ++i)
 	{
-		if (m_isOpen[i] == 0)
-			continue;
 		const double change = m_impulseChange[i];
-		const double impulse = change < 0 ? change / (m_lower[i] - m_impulse[i]) : change / (m_upper[i] - m_impulse[i]);
-		const double lower = -m_lowerChange[i] / m_lowerPush[i], upper = -m_upperChange[i] / m_upperPush[i];
-		most = std::max(most, std::max(impulse, std::max(lower, upper)));
+		const double towardsLower = -change * m_overBelow[i], towardsUpper = change * m_overAbove[i];
+		most = std::max(most,
+						std::max(std::max(towardsLower, 1 - towardsLower), std::max(towardsUpper, 1 - towardsUpper)));
+		curve -= change * (m_lowerPush[i] * (1 - towardsLower) - m_upperPush[i] * (1 - towardsUpper));
 	}
-	return 1 / most;
+	// Mehrotra's rule: the cube of what the longest step would leave of the barrier.
+	const double share = 1 / most, left = 1 - share + share * share * curve / (m_pairs * m_mu);
+	m_centring = left * left * left;
+	return true;
 }
 
-/// Mehrotra's rule: the cube of what a share of the predictor's step would leave of the barrier.
-double InteriorPoint::centring(double share) const
+/// The corrector's step aims at m_centring of the barrier, with the predictor's products of changes.
+/// \return the longest share of it that keeps within all bounds; 0 if there is none
+double InteriorPoint::correct(const SystemInput& input, LinearSolver& solver)
 {
-	double sum = 0;
 	const size_t n = m_impulse.size();
+	const double aim = m_centring * m_mu;
 	for (size_t i = 0; i < n; ++i)
 	{
-		const double impulse = m_impulse[i] + share * m_impulseChange[i];
-		sum += m_isOpen[i] * ((m_lowerPush[i] + share * m_lowerChange[i]) * (impulse - m_lower[i]) +
-							  (m_upperPush[i] + share * m_upperChange[i]) * (m_upper[i] - impulse));
+		const double predicted = m_impulseChange[i];
+		const double towardsLower = -predicted * m_overBelow[i], towardsUpper = predicted * m_overAbove[i];
+		// What the pushes change by if the impulse does not.
+		m_lowerChange[i] = (aim + predicted * m_lowerPush[i] * (1 - towardsLower)) * m_overBelow[i] - m_lowerPush[i];
+		m_upperChange[i] = (aim - predicted * m_upperPush[i] * (1 - towardsUpper)) * m_overAbove[i] - m_upperPush[i];
+		m_right[i] += m_isOpen[i] * (m_lowerChange[i] + m_lowerPush[i] - m_upperChange[i] - m_upperPush[i]);
 	}
-	const double left = sum / m_pairs / m_mu;
-	return left * left * left;
+	if (!solveStep(input, solver))
+		return 0;
+	double most = 1;
+	for (size_t i = 0; i < n; ++i)
+	{
+		const double change = m_impulseChange[i];
+		const double towardsLower = -change * m_overBelow[i], towardsUpper = change * m_overAbove[i];
+		m_lowerChange[i] += m_lowerPush[i] * towardsLower;
+		m_upperChange[i] += m_upperPush[i] * towardsUpper;
+		most = std::max(most, std::max(towardsLower, towardsUpper));
+		// A push that is zero belongs to a row that is shut, and stays.
+		const double lower = m_lowerChange[i] + most * m_lowerPush[i], upper = m_upperChange[i] + most * m_upperPush[i];
+		if (lower < 0)
+			most = -m_lowerChange[i] / m_lowerPush[i];
+		if (upper < 0)
+			most = std::max(most, -m_upperChange[i] / m_upperPush[i]);
+	}
+	return 1 / most;
 }
 
 /// Friction's bounds follow the normal impulses, and its impulses their bounds.
@@ -317,23 +327,22 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 	if (!(m_mu > 0))
 		return false;
 	const double end = isRough ? ROUGH_END : BARRIER_END;
-	for (int i = 0; i < maxIterations && (m_mu > end * m_firstMu ||
-										  largest(m_momentum) > (isRough ? ROUGH_MOMENTUM_END : MOMENTUM_END) * m_firstUnbalanced);
+	for (int i = 0;
+		 i < maxIterations && (m_mu > end * m_firstMu ||
+							   largest(m_momentum) > (isRough ? ROUGH_MOMENTUM_END : MOMENTUM_END) * m_firstUnbalanced);
 		 ++i)
 	{
 		++m_statistics.m_interiorIterations;
-		double share;
 		{
 			const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);
 			weigh();
 			matrix.assembleAnew(input, Tangents{m_tangent});
 		}
-		if (!step(input, solver, false))
+		if (!predict(input, solver))
 			break;
-		m_centring = centring(longest());
-		if (!step(input, solver, true))
+		const double share = std::min(1., MOST_OF_THE_WAY * correct(input, solver));
+		if (!(share > 0))
 			break;
-		share = std::min(1., MOST_OF_THE_WAY * longest());
 		const size_t n = m_impulse.size();
 		for (size_t r = 0; r < n; ++r)
 		{

@@ -65,14 +65,14 @@ private:
 	void weigh();
 	void moveFriction(const SystemInput& input);
 	void sumBarrier();
-	bool step(const SystemInput& input, LinearSolver& solver, bool isCorrector);
-	double longest() const;
-	double centring(double share) const;
+	bool solveStep(const SystemInput& input, LinearSolver& solver);
+	bool predict(const SystemInput& input, LinearSolver& solver);
+	double correct(const SystemInput& input, LinearSolver& solver);
 	double frictionBound(const SystemInput::SingleRow& friction, const SystemInput& input) const;
 
 	btElasticPlasticStatistics& m_statistics;
-	double m_mu = 0;       // mean of what the bounds push with, times their distance
-	double m_pairs = 0;    // rows with bounds, twice
+	double m_mu = 0;                              // mean of what the bounds push with, times their distance
+	double m_pairs = 0;                           // rows with bounds, twice
 	double m_firstMu = 0, m_firstUnbalanced = 0;  // of the first search
 	Point m_kept;
 	double m_centring = 0;           // the share of mu that a step aims at
@@ -82,8 +82,9 @@ private:
 	std::vector<double> m_target, m_compliance, m_lower, m_upper;
 	std::vector<double> m_isOpen;  // 1; 0 where both bounds are the same
 	std::vector<double> m_impulse, m_lowerPush, m_upperPush;
-	std::vector<double> m_along, m_rest;  // J dv; what is left of the row
-	std::vector<double> m_tangent;        // (C + D)^-1
+	std::vector<double> m_overBelow, m_overAbove;  // 1 / distance to the bounds; 0 where both are the same
+	std::vector<double> m_along;                   // J dv
+	std::vector<double> m_tangent;                 // (C + D)^-1
 	std::vector<double> m_right, m_impulseChange, m_lowerChange, m_upperChange;
 	std::vector<double> m_work;
 	std::vector<int> m_friction;  // single rows

@@ -129,6 +129,7 @@ bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 		if (!solveLinear(input, m_step))
 			return false;
 		++m_statistics.m_newtonSteps;
+		m_hasSearched = true;
 		double slope = 0;
 		for (size_t i = 0; i < m_step.size(); ++i)
 			slope -= m_residual[i] * m_step[i];
@@ -163,7 +164,7 @@ bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 bool System::findMinimum(SystemInput& input, Effort effort)
 {
 	const bool mayUseInterior = effort != PLAIN && m_settings.m_maxInteriorIterations > 0;
-	if (!mayUseInterior || !m_interior.hasPoint())
+	if (!mayUseInterior || !m_isHard)
 	{
 		if (!guess(input))
 			return false;
@@ -171,6 +172,13 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 			return true;
 		if (!mayUseInterior)
 			return false;
+		m_isHard = true;
+	}
+	if (effort == ROUGH)
+	{
+		settle(input);
+		--m_statistics.m_cutSearches;
+		return true;
 	}
 	if (m_interior.solve(input, m_contacts, m_matrix, m_linearSolver, m_velocity, m_settings.m_maxInteriorIterations,
 						 effort == ROUGH))
@@ -205,11 +213,12 @@ double System::exactLength(const SystemInput& input)
 	}
 	project(input, m_start, m_alongStart);
 	project(input, m_step, m_along);
+	m_law.beginLine(input, m_alongStart, m_along);
 	double low = 0, high = 1, t = 1;
 	for (int i = 0; i < MAX_LENGTH_STEPS && high - low > LENGTH_TOLERANCE; ++i)
 	{
 		double derivative = along0 + t * along1, second = along1;
-		m_law.addDerivatives(input, m_alongStart, m_along, t, derivative, second);
+		m_law.addDerivatives(input, m_along, t, derivative, second);
 		(derivative > 0 ? high : low) = t;
 		const double next = t - derivative / second;
 		if (fabs(next - t) <= LENGTH_STEP)
@@ -230,7 +239,7 @@ bool System::search(SystemInput& input, Effort effort)
 		return progress.m_isOpen;
 	};
 	m_contacts.begin(input, m_law);
-	m_interiorHasSolved = false;
+	m_interiorHasSolved = m_hasSearched = false;
 	bool solved = findMinimum(input, effort);
 	bool open = effort != ROUGH && m_contacts.isAny() && tighten(1);
 	// The interior point method has no need of them: its contacts are hard.
@@ -317,6 +326,7 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 	m_matrixIsCurrent = false;
 	m_law.begin(input);
 	m_interior.begin();
+	m_isHard = false;
 	m_velocity.assign(6 * size_t(input.getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());
 	return search(input, effort);

@@ -72,7 +72,10 @@ public:
 	bool solveAgain(SystemInput& input, Effort effort);
 
 	/// Whether the last problem's solution took the interior point method.
-	bool isHard() const { return m_interior.hasPoint(); }
+	bool isHard() const { return m_isHard; }
+
+	/// Whether the last solution took any Newton step.
+	bool hasSearched() const { return m_hasSearched; }
 
 	SystemResult getResult() const;
 	void setResult(const SystemResult& result);
@@ -108,7 +111,7 @@ private:
 	AugmentedContacts m_contacts;
 	InteriorPoint m_interior;
 	double m_phiTerms = 0;  // sum of the absolute values of phi's terms
-	bool m_interiorHasSolved = false;
+	bool m_interiorHasSolved = false, m_isHard = false, m_hasSearched = false;
 	bool m_boundsChanged = false;    // by the last evaluate()
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
 	std::vector<double> m_velocity;  // dv
