@@ -58,6 +58,11 @@ struct btElasticPlasticSolverSettings
 	/// Contacts are exact when what they still slip or penetrate is below this, relative to the fastest approach, > 0.
 	double m_contactTolerance = 1e-3;
 
+	/// The most work for an island in a step, in the unit of btElasticPlasticStatistics::m_work, >= 0; 0: no limit. A search that would take
+	/// more is cut (m_cutSearches): impulses obey their bounds and gain no energy, but are not exact. The same program gives the same
+	/// bits, as work is counted and not timed. At least one factorisation and one solution are done.
+	long long m_maxWork = 0;
+
 	/// The factor that a large island kept from the last step is used as long as so few iterations of conjugate gradients with it
 	/// are enough, >= 0; 0: never.
 	int m_maxIterations = 8;

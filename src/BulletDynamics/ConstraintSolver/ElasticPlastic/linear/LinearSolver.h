@@ -80,6 +80,7 @@ private:
 
 	Plan& newPlan(size_t hash);
 	bool factorise();
+	void countSolution();
 	bool iterate(std::vector<double>& x);
 
 	btElasticPlasticSolverSettings m_settings;

@@ -158,6 +158,7 @@ public:
 		m_bound = bounds;
 	}
 
+	const std::vector<double>& getImpulses() const { return m_impulse; }
 	double getImpulse(int row) const { return m_impulse[row]; }
 	const double* getImpulses(int row) const { return m_impulse.data() + row; }
 	const signed char* getBounds(int row) const { return m_bound.data() + row; }

@@ -20,10 +20,8 @@ const double FIRST_BARRIER = 100;
 /// The iterations end at this share of the first barrier, and of the first momentum that is not balanced. Newton's method ends the
 /// search from there in a step or two.
 const double BARRIER_END = 1e-8, MOMENTUM_END = 1e-7;
-/// A rough solution ends here, with two digits: the barrier was begun so much above the rows'.
-const double ROUGH_END = 1e-3, ROUGH_MOMENTUM_END = 1e-2;
-/// The point at which the next search begins: further on its pushes would be too uneven.
-const double KEPT = 0.1;
+/// Nominal work of an iteration beside the linear solver's, see btElasticPlasticStatistics::m_work.
+const double NANOSECONDS_A_ROW = 30;
 /// The share of the way to the nearest bound that a step may go.
 const double MOST_OF_THE_WAY = 0.995;
 /// The first impulse of a contact, as a share of what would stop its bodies by themselves.
@@ -152,36 +150,6 @@ void InteriorPoint::beginAtCentre()
 	m_mu = sum / std::max(m_pairs, 1.);
 }
 
-/// Where the kept impulse still is within its bounds, the pushes take what the row's target has changed by.
-void InteriorPoint::beginAtPoint()
-{
-	const size_t n = m_impulse.size();
-	m_pairs = 0;
-	for (size_t i = 0; i < n; ++i)
-	{
-		m_pairs += 2 * m_isOpen[i];
-		if (m_isOpen[i] == 0 || !(m_kept.m_impulse[i] > m_lower[i] && m_kept.m_impulse[i] < m_upper[i]))
-			continue;
-		m_impulse[i] = m_kept.m_impulse[i];
-		m_lowerPush[i] = m_kept.m_lowerPush[i];
-		m_upperPush[i] = m_kept.m_upperPush[i];
-		const double rest = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i] - m_lowerPush[i] + m_upperPush[i];
-		if (rest > 0 && m_lower[i] > -NO_BOUND)
-			m_lowerPush[i] += rest;
-		else if (rest < 0 && m_upper[i] < NO_BOUND)
-			m_upperPush[i] -= rest;
-	}
-	sumBarrier();
-}
-
-void InteriorPoint::keepPoint(const std::vector<double>& velocity)
-{
-	m_kept.m_velocity = velocity;
-	m_kept.m_impulse = m_impulse;
-	m_kept.m_lowerPush = m_lowerPush;
-	m_kept.m_upperPush = m_upperPush;
-}
-
 /// The tangents of all rows.
 void InteriorPoint::weigh()
 {
@@ -304,34 +272,28 @@ void InteriorPoint::sumBarrier()
 }
 
 bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& contacts, SystemMatrix& matrix,
-						  LinearSolver& solver, std::vector<double>& velocity, int maxIterations, bool isRough)
+						  LinearSolver& solver, std::vector<double>& velocity, int maxIterations, long long workEnd)
 {
 	const std::vector<double> start = velocity;
-	const bool isAgain = hasPoint();
-	if (isAgain)
-		velocity = m_kept.m_velocity;
 	project(input, velocity, m_along);
 	beginRows(input, contacts);
 	beginAtCentre();
-	if (isAgain)
-		beginAtPoint();
-	else
-		m_firstMu = m_mu;
 	m_momentum.assign(velocity.size(), 0.);
 	multiplyMass(input, velocity, m_momentum);
 	for (double& element : m_momentum)
 		element = -element;
 	addImpulses(input, m_impulse.data(), m_momentum);
-	if (!isAgain)
-		m_firstUnbalanced = largest(m_momentum);
+	const double barrierEnd = BARRIER_END * m_mu, momentumEnd = MOMENTUM_END * largest(m_momentum),
+				 lastFriction = LAST_FRICTION * m_mu;
 	if (!(m_mu > 0))
 		return false;
-	const double end = isRough ? ROUGH_END : BARRIER_END;
-	for (int i = 0;
-		 i < maxIterations && (m_mu > end * m_firstMu ||
-							   largest(m_momentum) > (isRough ? ROUGH_MOMENTUM_END : MOMENTUM_END) * m_firstUnbalanced);
+	long long stepWork = 0;
+	for (int i = 0; i < maxIterations && (m_mu > barrierEnd || largest(m_momentum) > momentumEnd) &&
+					!(workEnd > 0 && m_statistics.m_work + stepWork > workEnd);
 		 ++i)
 	{
+		const long long workBefore = m_statistics.m_work;
+		m_statistics.m_work += (long long)(NANOSECONDS_A_ROW * double(input.getNumRows()));
 		++m_statistics.m_interiorIterations;
 		{
 			const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);
@@ -356,20 +318,16 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 			velocity[k] += share * m_change[k];
 			m_momentum[k] *= 1 - share;
 		}
-		if (m_mu > LAST_FRICTION * m_firstMu)
+		if (m_mu > lastFriction)
 			moveFriction(input);
 		sumBarrier();
+		stepWork = m_statistics.m_work - workBefore;
 		if (!(m_mu > 0 && m_mu < 1e300))
 		{
 			velocity = start;
-			m_kept.m_velocity.clear();
 			return false;
 		}
-		if (!isAgain && !hasPoint() && m_mu <= KEPT * m_firstMu)
-			keepPoint(velocity);
 	}
-	if (!hasPoint())
-		keepPoint(velocity);
 	return true;
 }
 }  // namespace btElasticPlastic

@@ -24,23 +24,17 @@ namespace btElasticPlastic
 /// without their softening, and friction's bounds follow the normal impulses from iteration to iteration.
 ///
 /// It begins with all impulses in the middle of their bounds, where zl - zu is right at once, and with a barrier well above what
-/// rows beyond their bounds have: from there a dozen iterations are enough where hundreds of rows flow. A problem that is solved again
-/// with other targets begins at a point that the last search has passed.
+/// rows beyond their bounds have: from there a dozen iterations are enough where hundreds of rows flow.
 class InteriorPoint
 {
 public:
 	explicit InteriorPoint(btElasticPlasticStatistics& statistics) : m_statistics(statistics) {}
 
-	/// To be called when the rows are others, not only their targets.
-	void begin() { m_kept.m_velocity.clear(); }
-
-	/// Whether there is a point of an earlier search to begin at.
-	bool hasPoint() const { return !m_kept.m_velocity.empty(); }
-
-	/// \param velocity  dv to begin with, if there is no point; gets the solution, of a few digits, of two if isRough
+	/// \param velocity  dv to begin with; gets the solution, of a few digits
+	/// \param workEnd   of the statistics' count of work, at which iterations end early; 0: never
 	/// \return false if there is nothing to solve, or no number comes out: velocity is as it was
 	bool solve(const SystemInput& input, const AugmentedContacts& contacts, SystemMatrix& matrix, LinearSolver& solver,
-			   std::vector<double>& velocity, int maxIterations, bool isRough);
+			   std::vector<double>& velocity, int maxIterations, long long workEnd);
 
 	/// The impulses of the solution, strictly between their bounds; by row.
 	const std::vector<double>& getImpulses() const { return m_impulse; }
@@ -52,16 +46,8 @@ private:
 	/// A barrier's tangents, for SystemMatrix.
 	struct Tangents;
 
-	/// From which a search can begin again.
-	struct Point
-	{
-		std::vector<double> m_velocity, m_impulse, m_lowerPush, m_upperPush;
-	};
-
 	void beginRows(const SystemInput& input, const AugmentedContacts& contacts);
 	void beginAtCentre();
-	void beginAtPoint();
-	void keepPoint(const std::vector<double>& velocity);
 	void weigh();
 	void moveFriction(const SystemInput& input);
 	void sumBarrier();
@@ -71,10 +57,8 @@ private:
 	double frictionBound(const SystemInput::SingleRow& friction, const SystemInput& input) const;
 
 	btElasticPlasticStatistics& m_statistics;
-	double m_mu = 0;                              // mean of what the bounds push with, times their distance
-	double m_pairs = 0;                           // rows with bounds, twice
-	double m_firstMu = 0, m_firstUnbalanced = 0;  // of the first search
-	Point m_kept;
+	double m_mu = 0;                 // mean of what the bounds push with, times their distance
+	double m_pairs = 0;              // rows with bounds, twice
 	double m_centring = 0;           // the share of mu that a step aims at
 	std::vector<double> m_momentum;  // J^T lambda - M dv, what is left of it
 	std::vector<double> m_change;    // of dv

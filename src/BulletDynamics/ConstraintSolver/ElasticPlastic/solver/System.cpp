@@ -42,6 +42,9 @@ const double SHORT_STEP = 0.1;
 /// After so many short ones, or so many steps of any length that did not end the search, there is no end in sight.
 const int SHORT_STEPS = 2, PATIENCE = 5;
 
+/// Nominal work of an evaluation, see btElasticPlasticStatistics::m_work.
+const double NANOSECONDS_A_ROW = 8;
+
 /// A solution with a larger velocity [m/s], [rad/s] counts as no number.
 const double FASTEST = 1e30;
 }  // namespace
@@ -77,6 +80,7 @@ bool System::solveLinear(const SystemInput& input, std::vector<double>& x)
 void System::evaluate(const SystemInput& input)
 {
 	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
+	m_statistics.m_work += (long long)(NANOSECONDS_A_ROW * double(input.getNumRows()));
 	project(input, m_velocity, m_along);
 	m_boundsChanged = m_law.project(input, m_along);
 	if (m_boundsChanged)
@@ -123,8 +127,10 @@ bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 	const bool mayCrawl = !isGuess || m_settings.m_maxInteriorIterations == 0;
 	double phi = findResidual(input);
 	int roundings = 0, turns = 0, shortSteps = 0;
-	for (int step = 0; step < maxSteps; ++step)
+	long long stepWork = 1;
+	for (int step = 0; step < maxSteps && !isSpent(stepWork); ++step)
 	{
+		const long long workBefore = m_statistics.m_work;
 		m_step = m_residual;
 		if (!solveLinear(input, m_step))
 			return false;
@@ -143,12 +149,14 @@ bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 		// A full step that changes no bound has found the solution, too.
 		if (!m_boundsChanged)
 			return true;
+		stepWork = m_statistics.m_work - workBefore;
 		const double before = phi;
 		phi = findResidual(input);
 		if (phi <= before + SUFFICIENT_GAIN * slope + PHI_ROUNDING * fabs(before))
 			continue;
 		const double length = exactLength(input);
 		move(length);
+		m_statistics.m_work += (long long)(4 * NANOSECONDS_A_ROW * double(input.getNumRows()));
 		evaluate(input);
 		phi = findResidual(input);
 		if (!(phi == phi))
@@ -174,20 +182,28 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 			return false;
 		m_isHard = true;
 	}
+	// Between sweeps any impulses will do that obey the law and gain no energy.
 	if (effort == ROUGH)
 	{
-		settle(input);
-		--m_statistics.m_cutSearches;
+		evaluate(input);
+		settle(input, m_law.getImpulses());
 		return true;
 	}
-	if (m_interior.solve(input, m_contacts, m_matrix, m_linearSolver, m_velocity, m_settings.m_maxInteriorIterations,
-						 effort == ROUGH))
+	const bool isNear = m_interior.solve(input, m_contacts, m_matrix, m_linearSolver, m_velocity,
+										 m_settings.m_maxInteriorIterations, m_settings.m_maxWork > 0 ? m_workEnd : 0);
+	forgetMatrix();
+	if (isNear)
 	{
 		m_interiorHasSolved = true;
 		m_contacts.setMultipliers(input, m_interior.getImpulses(), m_interior.getUpperBounds());
 	}
-	forgetMatrix();
-	return effort == ROUGH || newton(input, false, m_settings.m_maxNewtonSteps);
+	if (newton(input, false, m_settings.m_maxNewtonSteps))
+		return true;
+	if (!isNear)
+		return false;
+	++m_statistics.m_cutSearches;
+	settle(input, m_interior.getImpulses());
+	return true;
 }
 
 void System::move(double length)
@@ -243,7 +259,8 @@ bool System::search(SystemInput& input, Effort effort)
 	bool solved = findMinimum(input, effort);
 	bool open = effort != ROUGH && m_contacts.isAny() && tighten(1);
 	// The interior point method has no need of them: its contacts are hard.
-	for (int loop = 0; solved && open && !m_interiorHasSolved && loop < m_settings.m_maxContactLoops; ++loop)
+	for (int loop = 0; solved && open && !m_interiorHasSolved && !isSpent() && loop < m_settings.m_maxContactLoops;
+		 ++loop)
 	{
 		++m_statistics.m_contactLoops;
 		// The contacts' targets have changed, so the solution changes even if no bound does.
@@ -254,7 +271,11 @@ bool System::search(SystemInput& input, Effort effort)
 	if (!solved && effort == PLAIN)
 		return false;
 	if (!solved && effort == EXACT)
-		settle(input);
+	{
+		++m_statistics.m_cutSearches;
+		evaluate(input);
+		settle(input, m_law.getImpulses());
+	}
 	for (const double v : m_velocity)
 		if (!(fabs(v) < FASTEST))
 		{
@@ -267,15 +288,12 @@ bool System::search(SystemInput& input, Effort effort)
 	return true;
 }
 
-/// Ends a search that has been cut. Impulses within their bounds gain no energy as long as
+/// Gives impulses that are no solution what they lack. Within their bounds they within their bounds gain no energy as long as
 ///     1/2 lambda^T (A + C) lambda <= b^T lambda,
 /// since this is what the bodies and springs have less after the step. Scaled by a factor below 1 impulses stay within bounds that
 /// contain zero. The velocities follow from the impulses, and momentum is kept; which rows flow follows from the velocities.
-void System::settle(const SystemInput& input)
+void System::settle(const SystemInput& input, std::vector<double> impulses)
 {
-	++m_statistics.m_cutSearches;
-	evaluate(input);
-	std::vector<double> impulses(m_law.getImpulses(0), m_law.getImpulses(input.getNumRows()));
 	double gain = 0, cost = 0;
 	m_contacts.addWork(input, impulses, gain, cost);
 	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
@@ -325,8 +343,8 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 	islandId = m_linearSolver.getIslandId();
 	m_matrixIsCurrent = false;
 	m_law.begin(input);
-	m_interior.begin();
 	m_isHard = false;
+	m_workEnd = m_statistics.m_work + m_settings.m_maxWork;
 	m_velocity.assign(6 * size_t(input.getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());
 	return search(input, effort);

@@ -71,6 +71,9 @@ public:
 	/// \return as solve(); false, too, if the effort was PLAIN and it was given up: then the result means nothing
 	bool solveAgain(SystemInput& input, Effort effort);
 
+	/// Whether the problem's work is spent, so that what follows is cut.
+	bool hasWorkLeft() const { return !isSpent(); }
+
 	/// Whether the last problem's solution took the interior point method.
 	bool isHard() const { return m_isHard; }
 
@@ -95,9 +98,13 @@ private:
 	bool guess(const SystemInput& input);
 	bool findMinimum(SystemInput& input, Effort effort);
 	bool newton(const SystemInput& input, bool isGuess, int maxSteps);
-	void settle(const SystemInput& input);
+	void settle(const SystemInput& input, std::vector<double> impulses);
 	void evaluate(const SystemInput& input);
 	void forgetMatrix();
+	bool isSpent(long long nextWork = 1) const
+	{
+		return m_settings.m_maxWork > 0 && m_statistics.m_work + nextWork > m_workEnd;
+	}
 	double findResidual(const SystemInput& input);
 	bool solveLinear(const SystemInput& input, std::vector<double>& x);
 	void move(double length);
@@ -110,7 +117,8 @@ private:
 	BoxLaw m_law;
 	AugmentedContacts m_contacts;
 	InteriorPoint m_interior;
-	double m_phiTerms = 0;  // sum of the absolute values of phi's terms
+	double m_phiTerms = 0;    // sum of the absolute values of phi's terms
+	long long m_workEnd = 0;  // of the statistics' count, at which this island's is spent
 	bool m_interiorHasSolved = false, m_isHard = false, m_hasSearched = false;
 	bool m_boundsChanged = false;    // by the last evaluate()
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
