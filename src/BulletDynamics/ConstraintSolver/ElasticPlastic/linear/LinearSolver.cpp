@@ -38,7 +38,7 @@ bool isWorthKeeping(const BlockFactor& factor, int numSolutions)
 }
 }  // namespace
 
-void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions)
+void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions, int numLast)
 {
 	const ScopedTimer timer("elastic-plastic analyse", m_statistics.m_analysisTime);
 	const size_t hash = hashOf(numBodies, edges);
@@ -55,9 +55,10 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 	{
 		m_plan = &newPlan(hash);
 		m_plan->m_numBodies = numBodies;
+		m_plan->m_numLast = numLast;
 		m_plan->m_edges = edges;
 		m_plan->m_matrix.setPattern(numBodies, reinterpret_cast<const int(*)[2]>(edges.data()), int(edges.size() / 2));
-		m_plan->m_factor.analyse(m_plan->m_matrix);
+		m_plan->m_factor.analyse(m_plan->m_matrix, numLast);
 		if (isWorthKeeping(m_plan->m_factor, 1))
 			m_plan->m_islandId = ++m_lastIslandId;
 		++m_statistics.m_analyses;

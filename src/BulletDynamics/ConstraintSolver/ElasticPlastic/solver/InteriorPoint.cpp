@@ -283,6 +283,7 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 	for (double& element : m_momentum)
 		element = -element;
 	addImpulses(input, m_impulse.data(), m_momentum);
+	addCondensedMomentum(input, m_momentum);
 	const double barrierEnd = BARRIER_END * m_mu, momentumEnd = MOMENTUM_END * largest(m_momentum),
 				 lastFriction = LAST_FRICTION * m_mu;
 	if (!(m_mu > 0))

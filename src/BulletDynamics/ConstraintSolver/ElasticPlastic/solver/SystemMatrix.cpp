@@ -9,7 +9,7 @@
 
 namespace btElasticPlastic
 {
-void SystemMatrix::begin(const SystemInput& input, int islandId, int numSolutions)
+void SystemMatrix::begin(const SystemInput& input, int islandId, int numSolutions, int numLast)
 {
 	m_edges.clear();
 	m_unitEdge.clear();
@@ -18,7 +18,15 @@ void SystemMatrix::begin(const SystemInput& input, int islandId, int numSolution
 		m_unitEdge.push_back(addEdge(unit.m_body));
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
 		m_singleRowEdge.push_back(addEdge(row.m_body));
-	m_solver.begin(input.getNumBodies(), m_edges, islandId, numSolutions);
+	m_condensedEdges.clear();
+	const std::vector<int>& condensed = input.m_condensed.m_bodies;
+	for (size_t i = 0; i < condensed.size(); ++i)
+		for (size_t j = 0; j < i; ++j)
+		{
+			const int pair[2] = {condensed[i], condensed[j]};
+			m_condensedEdges.push_back(addEdge(pair));
+		}
+	m_solver.begin(input.getNumBodies(), m_edges, islandId, numSolutions, numLast);
 }
 
 /// Rows between the same bodies that follow each other have one edge.
@@ -56,6 +64,25 @@ void SystemMatrix::addMasses(const SystemInput& input)
 			memcpy(block + 6 * (3 + i) + 3, &input.m_bodies[b].m_inertia[3 * i], 3 * sizeof(double));
 		}
 	}
+}
+
+void SystemMatrix::addCondensed(const SystemInput::Condensed& condensed)
+{
+	BlockMatrix& matrix = m_solver.getMatrix();
+	const size_t n = condensed.m_bodies.size(), stride = 6 * n;
+	const int* edge = m_condensedEdges.data();
+	for (size_t i = 0; i < n; ++i)
+		for (size_t j = 0; j <= i; ++j)
+		{
+			// The block of rows of body i and columns of body j.
+			const double* const from = &condensed.m_matrix[6 * j * stride + 6 * i];
+			bool transposed = false;
+			double* const to =
+				i == j ? matrix.diagonal(condensed.m_bodies[i]) : matrix.offDiagonal(*edge++, transposed);
+			for (size_t c = 0; c < 6; ++c)
+				for (size_t r = 0; r < 6; ++r)
+					to[transposed ? 6 * r + c : 6 * c + r] += from[c * stride + r];
+		}
 }
 
 void SystemMatrix::noteChange(const int body[2], bool hasChanged)

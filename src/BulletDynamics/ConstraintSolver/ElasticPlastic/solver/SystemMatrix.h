@@ -18,8 +18,8 @@ class SystemMatrix
 public:
 	explicit SystemMatrix(LinearSolver& solver) : m_solver(solver) {}
 
-	/// Begins a problem. \param islandId, numSolutions  see LinearSolver::begin
-	void begin(const SystemInput& input, int islandId, int numSolutions);
+	/// Begins a problem. \param islandId, numSolutions, numLast  see LinearSolver::begin
+	void begin(const SystemInput& input, int islandId, int numSolutions, int numLast = 0);
 
 	/// Computes H for the rows' present tangents, and tells the linear solver what has changed since the last time.
 	void assemble(const SystemInput& input, BoxLaw& law);
@@ -38,21 +38,24 @@ private:
 	template <class Tangents>
 	void add(const SystemInput& input, const Tangents& tangents);
 	void addMasses(const SystemInput& input);
+	void addCondensed(const SystemInput::Condensed& condensed);
 	void addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9]);
 	void addSingleRow(const SystemInput::SingleRow& row, int edge, double tangent);
 	void noteChange(const int body[2], bool hasChanged);
 
 	LinearSolver& m_solver;
-	std::vector<int> m_edges;          // two bodies each
-	std::vector<int> m_unitEdge;       // of the matrix, per unit, -1: none
-	std::vector<int> m_singleRowEdge;  // the same per single row
-	std::vector<int> m_changedBodies;  // by the last assembly
+	std::vector<int> m_edges;           // two bodies each
+	std::vector<int> m_unitEdge;        // of the matrix, per unit, -1: none
+	std::vector<int> m_singleRowEdge;   // the same per single row
+	std::vector<int> m_condensedEdges;  // by pair of condensed bodies
+	std::vector<int> m_changedBodies;   // by the last assembly
 };
 
 template <class Tangents>
 void SystemMatrix::add(const SystemInput& input, const Tangents& tangents)
 {
 	addMasses(input);
+	addCondensed(input.m_condensed);
 	for (size_t i = 0; i < input.m_units.size(); ++i)
 	{
 		double linear[9] = {}, angular[9] = {};
