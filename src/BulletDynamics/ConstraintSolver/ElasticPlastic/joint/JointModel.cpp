@@ -156,10 +156,12 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 	{
 		const bool isSpring = m_capacity.isElasticPlastic(i) && !m_capacity.isRigidPlastic(i);
 		const bool wasSpring = before.isElasticPlastic(i) && !before.isRigidPlastic(i);
-		if (!isSpring || !wasSpring || m_capacity.m_stiffness[i] == before.m_stiffness[i])
+		const bool isTheSame = m_capacity.m_stiffness[i] == before.m_stiffness[i] &&
+							   m_capacity.couplingCompliance(i) == before.couplingCompliance(i);
+		if (!isSpring || !wasSpring || isTheSame)
 			continue;
 		// A force beyond a lower yield value flows off in the next step.
-		change[i] = m_state.m_force[i] / before.m_stiffness[i] - m_state.m_force[i] / m_capacity.m_stiffness[i];
+		change[i] = elasticDeformation(before, i) - elasticDeformation(i);
 		m_state.m_forceRate[i] = 0;
 	}
 	moveReference(change);

@@ -26,6 +26,8 @@ namespace btElasticPlastic
 /// blocks that asks for B times as much g once the highest mode's (w dt)^2 = z is above 80 B. Taken is a quarter of that. More g
 /// than k dt^2 is damping, of bending alone: what such a step cannot resolve comes to rest.
 ///
+/// Arms reach to the joint or, if that is more, to the middle of what is elastic (btElasticPlasticCapacity::elasticMiddle()).
+///
 /// Compression gives a negative stiffness, which is buckling, and is left to the step as it is.
 struct TensionDamping
 {

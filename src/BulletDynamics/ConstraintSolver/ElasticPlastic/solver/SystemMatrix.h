@@ -27,7 +27,7 @@ public:
 private:
 	int addEdge(const int body[2]);
 	void addUnit(const SystemInput::Unit& unit, int edge, const SystemInput& input, const BoxLaw& law);
-	void addSingleRow(const SystemInput::SingleRow& row, int edge, double tangent);
+	void addProduct(const SystemInput::SingleRow& a, const SystemInput::SingleRow& b, int edge, double tangent);
 	void noteChange(const int body[2], bool hasChanged);
 
 	LinearSolver& m_solver;
