@@ -94,7 +94,7 @@ TEST(Capacity, CouplingOfAMember)
 	}
 }
 
-TEST(Capacity, CouplingNeedsTwoSprings)
+TEST(Capacity, CouplingNeedsTwoSpringsAndTheBowALength)
 {
 	const Section s = Section::rectangle(btScalar(0.1), btScalar(0.2));
 	const Capacity whole = Capacity::fromMember(Material::steel(), s, 0, 1);
@@ -116,6 +116,13 @@ TEST(Capacity, CouplingNeedsTwoSprings)
 	{
 		Capacity c = whole;
 		c.m_coupling[1] = bad;
+		EXPECT_TRUE(c.fault());
+	}
+	EXPECT_EQ(btScalar(0.5), whole.m_length);
+	for (const btScalar bad : {btScalar(-1), btScalar(INFINITY), btScalar(NAN)})
+	{
+		Capacity c = whole;
+		c.m_length = bad;
 		EXPECT_TRUE(c.fault());
 	}
 }

@@ -16,7 +16,7 @@ btElasticPlasticCapacity lumped(const Member::Settings& s, btScalar lengthA, btS
 	for (int i = 0; i < 2; ++i)
 		c.m_stiffness[BT_EP_SHEAR_Y + i] =
 			s.material.shearModulus() * section.m_shearArea[i] / ((lengthA + lengthB) / 2);
-	c.m_coupling[0] = c.m_coupling[1] = 0;
+	c.m_coupling[0] = c.m_coupling[1] = c.m_length = 0;
 	for (btScalar& ductility : c.m_ductility)
 		ductility = btElasticPlasticCapacity::unlimited();
 	return c;

@@ -15,6 +15,7 @@ btElasticPlasticCapacity::btElasticPlasticCapacity(btElasticPlasticOwnPrecision)
 {
 	m_rigidPlastic = 0;
 	m_coupling[0] = m_coupling[1] = 0;
+	m_length = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		clear(i);
 }
@@ -71,8 +72,10 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 				"greater than 0 where there is a yield value, at least 1e-20 (or rigid-plastic, by setRigidPlastic)",
 				i);
 	}
+	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("length that bows [m]", m_length))
+		return f;
 	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z; ++i)
-		if (!(btFabs(m_coupling[planeOf(i)]) < 1))
+		if (!btElasticPlasticIsFinite(double(m_coupling[planeOf(i)])) || !(btFabs(m_coupling[planeOf(i)]) < 1))
 			return btElasticPlasticFault("coupling of shear and bending", m_coupling[planeOf(i)],
 										 "greater than -1 and less than 1", i);
 	return btElasticPlasticFault();
@@ -145,6 +148,7 @@ btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPla
 		c.set(BT_EP_BENDING_Y + i, E * section.m_secondMoment[i] / l, section.m_plasticModulus[i] * fy,
 			  plastic / section.m_outerFibre[1 - i]);
 	}
+	c.m_length = l;
 	// Of the sign, see elasticMiddle().
 	const btScalar middle = (b - a) / 2;
 	for (int i = 0; i < 2; ++i)

@@ -28,6 +28,10 @@ struct btElasticPlasticCapacity
 	/// in the middle of what is elastic (see fromMember()). 0: each springs by itself. Only between springs, and only in the
 	/// direct form of btElasticPlasticConstraintSolver: others leave it out.
 	btScalar m_coupling[2];
+	/// Length l of the member that bends between the bodies' centres [m], finite, >= 0. It bows: its ends come together by l / 12 times
+	/// the square of the elastic turn less than those of two straight parts, which counts where an axial force may buckle it. 0: it
+	/// does not.
+	btScalar m_length;
 	unsigned m_rigidPlastic;        ///< bit i: degree of freedom i does not spring, it only flows
 	btElasticPlasticFault m_fault;  ///< of the material, section or length it was made from
 
@@ -95,6 +99,7 @@ struct btElasticPlasticCapacity
 	///    makes no turn and a moment no shift. At the joint the turn is (M - s V_y) l/(E I), and so for the other plane with -s: with
 	///    this a frame of members is as stiff as by matrix analysis, with one part a member. Yield is asked of the section's forces
 	///    at the joint;
+	///  - length of the bow, l;
 	///  - yields N = A f_y, Q = A_v tau_y, T = W_T tau_y, M = W_pl f_y (paper, equations 10 to 14 and Table IV);
 	///  - ductility: elongation e_u g, slip (f_y/tau_y) e_u g, rotation e_u g / c, twist (f_y/tau_y) e_u g / c,
 	///    with the ultimate plastic strain e_u, gauge length g and distance c of the outer fibre.

@@ -15,6 +15,8 @@ void JointModel::measure(Kinematics& kinematics) const
 {
 	kinematics.evaluate(bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB,
 						m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	kinematics.bow(isElasticPlastic(BT_EP_BENDING_Y) ? m_capacity.m_length : btScalar(0),
+				   isElasticPlastic(BT_EP_BENDING_Z) ? m_capacity.m_length : btScalar(0));
 }
 
 RelativeRotation JointModel::relativeRotation() const

@@ -14,10 +14,11 @@ const btScalar RESOLVED = 1;
 /// Of z at which damping has to grow, a quarter of what a row of equal blocks bears.
 const btScalar LIMIT = 20;
 
-/// How easily the pair turns against each other about an axis [1 / (kg m^2)].
+/// How easily two equal bodies, both like the one that turns less easily, would turn against each other about an axis
+/// [1 / (kg m^2)].
 btScalar mobilityAbout(const btRigidBody& a, const btRigidBody& b, const btVector3& axis)
 {
-	return axis.dot((a.getInvInertiaTensorWorld() + b.getInvInertiaTensorWorld()) * axis);
+	return 2 * btMin(axis.dot(a.getInvInertiaTensorWorld() * axis), axis.dot(b.getInvInertiaTensorWorld() * axis));
 }
 }  // namespace
 
