@@ -17,8 +17,8 @@ class SolverWorks;
 /// Bullet's solver, which also solves elastic-plastic joints accurately: give it to the world instead of
 /// btSequentialImpulseConstraintSolver. Islands without elastic-plastic joints are solved as by Bullet, bit for bit.
 ///
-/// Direct (the default): all rows of an island at once, by a sparse factorisation. A stiff structure holds at any step. Where
-/// the search does not converge the iterative form takes over, and the statistics count it.
+/// Direct (the default): all joints of an island at once, by a sparse factorisation. A stiff structure holds at any step. Contacts are
+/// solved with them or swept around them, see btElasticPlasticContacts.
 ///
 /// Iterative: Bullet's sequential impulses, with rows that have the joints' true compliance.
 class alignas(16) btElasticPlasticConstraintSolver : public btSequentialImpulseConstraintSolver

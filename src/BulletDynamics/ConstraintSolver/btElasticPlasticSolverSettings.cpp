@@ -11,6 +11,12 @@ btElasticPlasticFault btElasticPlasticSolverSettings::fault() const
 		return btElasticPlasticFault("number of threads", btScalar(m_numThreads), "1 to 64");
 	if (m_maxNewtonSteps < 0)
 		return btElasticPlasticFault("number of Newton steps", btScalar(m_maxNewtonSteps), "at least 0");
+	if (m_maxInteriorIterations < 0)
+		return btElasticPlasticFault("number of interior iterations", btScalar(m_maxInteriorIterations), "at least 0");
+	if (m_maxExactContacts < 0)
+		return btElasticPlasticFault("number of exact contacts", btScalar(m_maxExactContacts), "at least 0");
+	if (m_maxWork < 0)
+		return btElasticPlasticFault("work", btScalar(m_maxWork), "at least 0");
 	if (m_maxContactLoops < 0)
 		return btElasticPlasticFault("number of rounds of contacts", btScalar(m_maxContactLoops), "at least 0");
 	if (m_maxIterations < 0)

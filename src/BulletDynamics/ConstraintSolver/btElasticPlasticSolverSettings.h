@@ -13,6 +13,18 @@ enum btElasticPlasticForm
 	BT_EP_ITERATIVE  ///< by Bullet's sequential impulses with exact soft rows: as good as its iterations
 };
 
+/// How the direct form solves the contacts of an island with elastic-plastic joints.
+enum btElasticPlasticContacts
+{
+	/// Exactly, up to btElasticPlasticSolverSettings::m_maxExactContacts points, and swept if there are more.
+	BT_EP_CONTACTS_BY_ISLAND,
+	/// With the joints, as exactly as these. The cost grows with the number of contacts, and more than that where many slide.
+	BT_EP_EXACT_CONTACTS,
+	/// As Bullet sweeps them, btContactSolverInfo::m_numIterations times, with a solution of the joints after every second sweep. As
+	/// good as Bullet's contacts are; joints are exact for the contacts' impulses.
+	BT_EP_SWEPT_CONTACTS
+};
+
 /// All settings of btElasticPlasticConstraintSolver, assigned by value.
 struct btElasticPlasticSolverSettings
 {
@@ -27,15 +39,29 @@ struct btElasticPlasticSolverSettings
 
 	// ---- the direct form
 
-	/// The most Newton steps of the search for the rows at their bounds, >= 0. An island that takes more is left to the
-	/// iterative form, and the statistics count it (btElasticPlasticStatistics::m_fallbacks).
+	/// The most Newton steps of the search for the rows at their bounds, >= 0. A search that would take more is cut, and the statistics
+	/// count it (btElasticPlasticStatistics::m_cutSearches): impulses then obey their bounds and gain no energy, but are not exact.
 	int m_maxNewtonSteps = 200;
+
+	/// The most iterations of the interior point method that takes over where Newton's steps become short, >= 0; 0: it never does.
+	/// Less than 15 makes blows less exact.
+	int m_maxInteriorIterations = 40;
+
+	btElasticPlasticContacts m_contacts = BT_EP_CONTACTS_BY_ISLAND;
+
+	/// The most contact points of an island that are solved exactly, >= 0, with BT_EP_CONTACTS_BY_ISLAND.
+	int m_maxExactContacts = 24;
 
 	/// The most rounds of the augmented Lagrangian that makes contacts hard, >= 0: each gains about two digits.
 	int m_maxContactLoops = 20;
 
 	/// Contacts are exact when what they still slip or penetrate is below this, relative to the fastest approach, > 0.
 	double m_contactTolerance = 1e-3;
+
+	/// The most work for an island in a step, in the unit of btElasticPlasticStatistics::m_work, >= 0; 0: no limit. A search that would take
+	/// more is cut (m_cutSearches): impulses obey their bounds and gain no energy, but are not exact. The same program gives the same
+	/// bits, as work is counted and not timed. At least one factorisation and one solution are done.
+	long long m_maxWork = 0;
 
 	/// The factor that a large island kept from the last step is used as long as so few iterations of conjugate gradients with it
 	/// are enough, >= 0; 0: never.

@@ -10,6 +10,9 @@ struct btElasticPlasticStatistics
 	long long m_islands = 0;
 	long long m_rows = 0;  ///< those of contacts and of other constraints included
 	long long m_newtonSteps = 0;
+	long long m_interiorIterations = 0;  ///< of the interior point method, where Newton's steps become short
+	long long m_cutSearches =
+		0;  ///< searches that ended before they had converged: their impulses obey the law all the same
 	long long m_analyses = 0;  ///< of islands whose graph was new
 	long long m_factorisations = 0;
 	long long m_partialFactorisations = 0;  ///< those of them that computed only what had changed
@@ -17,7 +20,11 @@ struct btElasticPlasticStatistics
 	long long m_iterations = 0;             ///< of conjugate gradients with the factor of an earlier step
 	long long m_contactLoops = 0;
 	long long m_looseContacts = 0;  ///< islands whose contacts were not exact when their loops ended
-	long long m_fallbacks = 0;      ///< no convergence, or not a number: the iterative form has solved the island
+	long long m_fallbacks = 0;      ///< solutions that are not a number: the island keeps its velocities for the step
+
+	/// What solutions cost, counted and not timed, so that it is the same in every run: in nanoseconds of a processor of 3 GHz,
+	/// roughly. Set-up of rows and sweeps of contacts are not part of it.
+	long long m_work = 0;
 
 	// Where the time went, of all threads together [s].
 	double m_setUpTime = 0;     ///< joints' rows
@@ -32,6 +39,8 @@ struct btElasticPlasticStatistics
 		m_islands += s.m_islands;
 		m_rows += s.m_rows;
 		m_newtonSteps += s.m_newtonSteps;
+		m_interiorIterations += s.m_interiorIterations;
+		m_cutSearches += s.m_cutSearches;
 		m_analyses += s.m_analyses;
 		m_factorisations += s.m_factorisations;
 		m_partialFactorisations += s.m_partialFactorisations;
@@ -40,6 +49,7 @@ struct btElasticPlasticStatistics
 		m_contactLoops += s.m_contactLoops;
 		m_looseContacts += s.m_looseContacts;
 		m_fallbacks += s.m_fallbacks;
+		m_work += s.m_work;
 		m_setUpTime += s.m_setUpTime;
 		m_analysisTime += s.m_analysisTime;
 		m_assemblyTime += s.m_assemblyTime;

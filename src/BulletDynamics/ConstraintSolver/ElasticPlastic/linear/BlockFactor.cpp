@@ -236,6 +236,7 @@ void BlockFactor::analyse(const BlockMatrix& matrix)
 	m_panelOf.resize(n);
 	m_below.clear();
 	m_numBlocks = m_numOperations = 0;
+	m_operations.resize(size_t(numPanels));
 	size_t values = 0, longest = 0;
 	for (int p = 0, first = 0; p < numPanels; ++p)
 	{
@@ -257,7 +258,8 @@ void BlockFactor::analyse(const BlockMatrix& matrix)
 		const int64_t k = 6 * panel.m_numColumns, u = 6 * panel.m_numRows - k;
 		m_numBlocks += panel.m_numColumns * (int64_t(panel.m_numRows) - panel.m_numColumns) +
 					   panel.m_numColumns * (int64_t(panel.m_numColumns) + 1) / 2;
-		m_numOperations += k * k * k / 3 + k * k * u + k * u * (u + 1);
+		m_operations[size_t(p)] = k * k * k / 3 + k * k * u + k * u * (u + 1);
+		m_numOperations += m_operations[size_t(p)];
 	}
 	m_panels[numPanels].m_below = int(m_below.size());
 	m_parent.assign(numPanels, -1);
@@ -389,11 +391,11 @@ bool BlockFactor::factorise(const BlockMatrix& matrix)
 	btAssert(matrix.getNumBodies() == getNumBodies());
 	m_hasFactor = getNumBodies() == 0 ||
 				  m_kernel->m_factorise(structure(), matrix.getValues(), nullptr, 0, m_values.data(), m_inverse.data());
+	m_numFactorisedOperations = m_numOperations;
 	return m_hasFactor;
 }
 
-bool BlockFactor::factorise(const BlockMatrix& matrix, const int* changedBodies,
-											int numChangedBodies)
+bool BlockFactor::factorise(const BlockMatrix& matrix, const int* changedBodies, int numChangedBodies)
 {
 	if (!m_hasFactor)
 		return factorise(matrix);
@@ -404,8 +406,12 @@ bool BlockFactor::factorise(const BlockMatrix& matrix, const int* changedBodies,
 			m_isChanged[p] = 1;
 			m_changed.push_back(p);
 		}
+	m_numFactorisedOperations = 0;
 	for (const int p : m_changed)
+	{
 		m_isChanged[p] = 0;
+		m_numFactorisedOperations += m_operations[size_t(p)];
+	}
 	std::sort(m_changed.begin(), m_changed.end());
 	if (!m_changed.empty())
 		m_hasFactor = m_kernel->m_factorise(structure(), matrix.getValues(), m_changed.data(), int(m_changed.size()),

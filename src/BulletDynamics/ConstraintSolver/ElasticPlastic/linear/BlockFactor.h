@@ -56,7 +56,8 @@ public:
 	int getNumBodies() const { return int(m_bodies.size()); }
 	int64_t getNumBlocks() const { return m_numBlocks; }          ///< of L as stored, the diagonal's included
 	int64_t getNumOperations() const { return m_numOperations; }  ///< of factorise(): multiplications and additions
-	int64_t getMemory() const;                                    ///< bytes
+	int64_t getNumFactorisedOperations() const { return m_numFactorisedOperations; }  ///< of the last factorise()
+	int64_t getMemory() const;                                                        ///< bytes
 
 private:
 	int m_maxVectorWidth;
@@ -64,10 +65,12 @@ private:
 	bool m_hasFactor = false;
 	int64_t m_numBlocks = 0;
 	int64_t m_numOperations = 0;
+	int64_t m_numFactorisedOperations = 0;
 
-	std::vector<int> m_bodies;   // by order of elimination
-	std::vector<int> m_panelOf;  // per body
-	std::vector<int> m_parent;   // per panel: the first that it updates, -1 if none
+	std::vector<int> m_bodies;          // by order of elimination
+	std::vector<int> m_panelOf;         // per body
+	std::vector<int64_t> m_operations;  // per panel
+	std::vector<int> m_parent;          // per panel: the first that it updates, -1 if none
 	std::vector<BlockPanel> m_panels;
 	std::vector<BlockUpdate> m_updates;
 	std::vector<BlockRun> m_runs;

@@ -41,6 +41,7 @@ public:
 	void multiply(const double* x, double* y) const;
 
 	int getNumBodies() const { return m_numBodies; }
+	int getNumBlocks() const { return m_numBodies + getNumPairs(); }
 
 	/// The pairs of bodies with a block, each once, sorted by lower body, then by higher. A block's rows are those of the
 	/// higher body.

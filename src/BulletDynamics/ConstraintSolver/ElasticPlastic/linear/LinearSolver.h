@@ -32,7 +32,8 @@ public:
 	/// Begins a problem, with a matrix of zeros on its graph.
 	/// \param edges   two bodies each; repetitions and directions make no difference to the matrix
 	/// \param islandId  by which the island's kept factor is found, see getIslandId(); 0: it has none
-	void begin(int numBodies, const std::vector<int>& edges, int islandId);
+	/// \param numSolutions  about how many there will be, > 0: with many a new factor is cheaper than iterations with an old one
+	void begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions);
 
 	/// The number to be given to begin() when the same island returns. By it the island gets its own factor again, and not
 	/// that of another island with the same graph: its result must not depend on its neighbours. 0 if no factor is kept.
@@ -43,6 +44,9 @@ public:
 	/// To be called after each assembly.
 	/// \param changedBodies  bodies whose blocks differ from the last assembly of this problem; one may be named twice
 	void setAssembled(const std::vector<int>& changedBodies);
+
+	/// To be called instead if H has nothing to do with the last one: no factor of it is used any more.
+	void forgetFactor() { m_factorState = NONE; }
 
 	/// x = H^-1 x, 6 doubles per body. \return false, and x means nothing, if H is not positive definite
 	bool solve(std::vector<double>& x);
@@ -76,6 +80,7 @@ private:
 
 	Plan& newPlan(size_t hash);
 	bool factorise();
+	void countSolution();
 	bool iterate(std::vector<double>& x);
 
 	btElasticPlasticSolverSettings m_settings;

@@ -20,25 +20,32 @@ const double HARDENING = 0.1;         // the share of the softening that is left
 const double LEAST_SOFTENING = 1e-6;  // the least softening, as a share of the first one
 /// The change of a friction bound that asks for another loop, as a share of the largest bound.
 const double FRICTION_TOLERANCE = 0.01;
+/// The least compliance of a hard row, as a share of its softened one.
+const double HARDEST = 1e-10;
+
+double frictionBound(const SystemInput::SingleRow& friction, double normalImpulse)
+{
+	const double bound = friction.m_friction * std::max(0., normalImpulse);
+	return friction.m_frictionMax > 0 ? std::min(bound, friction.m_frictionMax) : bound;
+}
 }  // namespace
 
-bool AugmentedContacts::begin(SystemInput& input, const BoxLaw& law)
+void AugmentedContacts::begin(SystemInput& input, const BoxLaw& law)
 {
-	bool hasContacts = false;
+	m_isAny = m_hasHardened = false;
 	m_states.assign(input.m_singleRows.size(), State());
 	for (size_t i = 0; i < m_states.size(); ++i)
 	{
 		const SystemInput::SingleRow& row = input.m_singleRows[i];
 		if (!row.m_isContact)
 			continue;
-		hasContacts = true;
+		m_isAny = true;
 		m_states[i].m_target = input.m_rows[row.m_row].m_target;
 		m_states[i].m_softening = row.m_softening;
 		m_states[i].m_leastSoftening = LEAST_SOFTENING * row.m_softening;
 	}
-	if (hasContacts)
+	if (m_isAny)
 		tighten(input, law, 0, 0);
-	return hasContacts;
 }
 
 AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const BoxLaw& law, int loop,
@@ -66,7 +73,7 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 		{
 			row.m_compliance -= (1 - HARDENING) * state.m_softening;
 			state.m_softening *= HARDENING;
-			progress.m_hasChangedMatrix = true;
+			progress.m_hasChangedMatrix = m_hasHardened = true;
 		}
 		state.m_slip = rest;
 		row.m_target = state.m_target + state.m_softening * state.m_multiplier;
@@ -76,9 +83,7 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 		if (friction.m_normal < 0)
 			continue;
 		SystemInput::Bounded& row = input.m_rows[friction.m_row];
-		double bound = friction.m_friction * std::max(0., law.getImpulse(input.m_singleRows[friction.m_normal].m_row));
-		if (friction.m_frictionMax > 0)
-			bound = std::min(bound, friction.m_frictionMax);
+		const double bound = frictionBound(friction, law.getImpulse(input.m_singleRows[friction.m_normal].m_row));
 		frictionChange = std::max(frictionChange, fabs(bound - row.m_upper));
 		strongest = std::max(strongest, bound);
 		row.m_upper = bound;
@@ -86,5 +91,52 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 	}
 	progress.m_isOpen = slip > tolerance * fastest || frictionChange > FRICTION_TOLERANCE * strongest;
 	return progress;
+}
+
+SystemInput::Bounded AugmentedContacts::getHardRow(const SystemInput& input, int singleRow) const
+{
+	const State& state = m_states[size_t(singleRow)];
+	SystemInput::Bounded row = input.m_rows[size_t(input.m_singleRows[size_t(singleRow)].m_row)];
+	row.m_target = state.m_target;
+	row.m_compliance = std::max(row.m_compliance - state.m_softening, HARDEST * row.m_compliance);
+	return row;
+}
+
+void AugmentedContacts::setMultipliers(SystemInput& input, const std::vector<double>& impulses,
+									   const std::vector<double>& upperBounds)
+{
+	for (size_t i = 0; i < m_states.size(); ++i)
+	{
+		const SystemInput::SingleRow& contact = input.m_singleRows[i];
+		if (!contact.m_isContact)
+			continue;
+		SystemInput::Bounded& row = input.m_rows[size_t(contact.m_row)];
+		State& state = m_states[i];
+		state.m_multiplier = impulses[size_t(contact.m_row)];
+		if (contact.m_normal >= 0)
+		{
+			row.m_upper = upperBounds[size_t(contact.m_row)];
+			row.m_lower = -row.m_upper;
+		}
+		row.m_target = state.m_target + state.m_softening * state.m_multiplier;
+	}
+}
+
+void AugmentedContacts::addWork(const SystemInput& input, const std::vector<double>& impulses, double& gain,
+								double& cost) const
+{
+	const auto add = [&](const SystemInput::Bounded& row, double impulse)
+	{
+		gain += row.m_target * impulse;
+		cost += row.m_compliance * impulse * impulse;
+	};
+	for (const SystemInput::Unit& unit : input.m_units)
+		for (int r = unit.m_firstRow; r < unit.m_firstRow + unit.m_numRows; ++r)
+			add(input.m_rows[size_t(r)], impulses[size_t(r)]);
+	for (int i = 0; i < input.getNumSingleRows(); ++i)
+	{
+		const SystemInput::SingleRow& row = input.m_singleRows[size_t(i)];
+		add(row.m_isContact ? getHardRow(input, i) : input.m_rows[size_t(row.m_row)], impulses[size_t(row.m_row)]);
+	}
 }
 }  // namespace btElasticPlastic

@@ -20,8 +20,13 @@ class AugmentedContacts
 {
 public:
 	/// Begins a problem: rows get their guessed impulses as multipliers.
-	/// \return whether there is any contact
-	bool begin(SystemInput& input, const BoxLaw& law);
+	void begin(SystemInput& input, const BoxLaw& law);
+
+	/// Whether the present problem has any contact.
+	bool isAny() const { return m_isAny; }
+
+	/// Whether the present problem's compliances have changed.
+	bool hasHardened() const { return m_hasHardened; }
 
 	/// The outcome of a loop.
 	struct Progress
@@ -33,6 +38,16 @@ public:
 	/// Ends a loop: sets the rows' targets, compliances and bounds for the next one.
 	/// \param tolerance  of velocities, relative to the fastest approach
 	Progress tighten(SystemInput& input, const BoxLaw& law, int loop, double tolerance);
+
+	/// A contact's row without its softening and multiplier.
+	SystemInput::Bounded getHardRow(const SystemInput& input, int singleRow) const;
+
+	/// Sets multipliers and friction's bounds that another method has found; both by row.
+	void setMultipliers(SystemInput& input, const std::vector<double>& impulses,
+						const std::vector<double>& upperBounds);
+
+	/// Adds b^T lambda and lambda^T C lambda of all rows, with contacts' targets as they were and without softening.
+	void addWork(const SystemInput& input, const std::vector<double>& impulses, double& gain, double& cost) const;
 
 private:
 	/// By single row.
@@ -46,6 +61,7 @@ private:
 	};
 
 	std::vector<State> m_states;
+	bool m_isAny = false, m_hasHardened = false;
 };
 }  // namespace btElasticPlastic
 

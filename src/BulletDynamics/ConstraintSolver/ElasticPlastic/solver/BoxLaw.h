@@ -95,10 +95,22 @@ public:
 		}
 	}
 
-	/// Adds the derivatives of psi along a step, at a share t of it.
-	/// \param start, step  J dv of all rows at the step's start, and of the step
-	void addDerivatives(const SystemInput& input, const std::vector<double>& start, const std::vector<double>& step,
-						double t, double& first, double& second) const
+	/// Begins a line search. \param start, step  J dv of all rows at the step's start, and of the step
+	void beginLine(const SystemInput& input, const std::vector<double>& start, const std::vector<double>& step)
+	{
+		m_lineStart.resize(m_impulse.size());
+		m_lineRate.resize(m_impulse.size());
+		for (size_t i = 0; i < m_impulse.size(); ++i)
+		{
+			const double weight = 1 / input.m_rows[i].m_compliance;
+			m_lineStart[i] = weight * (input.m_rows[i].m_target - start[i]);
+			m_lineRate[i] = weight * step[i];
+		}
+	}
+
+	/// Adds the derivatives of psi along the step, at a share t of it.
+	void addDerivatives(const SystemInput& input, const std::vector<double>& step, double t, double& first,
+						double& second) const
 	{
 		for (size_t i = 0; i < m_impulse.size(); ++i)
 		{
@@ -106,14 +118,13 @@ public:
 			if (row.m_partner >= 0)
 			{
 				if (row.m_partner > int(i))
-					addPairDerivatives(input, start, step, t, int(i), row.m_partner, first, second);
+					addPairDerivatives(input, step, t, int(i), row.m_partner, first, second);
 				continue;
 			}
-			const double impulse = (row.m_target - start[i] - t * step[i]) / row.m_compliance;
+			const double impulse = m_lineStart[i] - t * m_lineRate[i];
 			const double bounded = impulse < row.m_upper ? impulse : row.m_upper;
 			first -= step[i] * (bounded > row.m_lower ? bounded : row.m_lower);
-			if (impulse > row.m_lower && impulse < row.m_upper)
-				second += step[i] * step[i] / row.m_compliance;
+			second += impulse > row.m_lower && impulse < row.m_upper ? step[i] * m_lineRate[i] : 0.;
 		}
 	}
 
@@ -201,9 +212,10 @@ public:
 		m_bound = bounds;
 	}
 
+	const std::vector<double>& getImpulses() const { return m_impulse; }
 	double getImpulse(int row) const { return m_impulse[row]; }
-	const double* getImpulses(int row) const { return &m_impulse[row]; }
-	const signed char* getBounds(int row) const { return &m_bound[row]; }
+	const double* getImpulses(int row) const { return m_impulse.data() + row; }
+	const signed char* getBounds(int row) const { return m_bound.data() + row; }
 
 private:
 	typedef CoupledPair<double> Pair;
@@ -250,9 +262,8 @@ private:
 		return hasChanged;
 	}
 
-	static void addPairDerivatives(const SystemInput& input, const std::vector<double>& start,
-								   const std::vector<double>& step, double t, int i, int j, double& first,
-								   double& second)
+	void addPairDerivatives(const SystemInput& input, const std::vector<double>& step, double t, int i, int j,
+							double& first, double& second) const
 	{
 		const int at[2] = {i, j};
 		double u[2], lower[2], upper[2], impulse[2], diagonal[2], beside;
@@ -260,7 +271,7 @@ private:
 		for (int k = 0; k < 2; ++k)
 		{
 			const SystemInput::Bounded& row = input.m_rows[at[k]];
-			u[k] = row.m_target - start[at[k]] - t * step[at[k]];
+			u[k] = (m_lineStart[at[k]] - t * m_lineRate[at[k]]) * row.m_compliance;
 			lower[k] = row.m_lower;
 			upper[k] = row.m_upper;
 		}
@@ -274,6 +285,7 @@ private:
 	std::vector<double> m_impulse;     // lambda, by row
 	std::vector<signed char> m_bound;  // -1 at the lower, 1 at the upper bound, 0 between
 	std::vector<char> m_isInTangent;
+	std::vector<double> m_lineStart, m_lineRate;  // u / C at a line's start, and what it falls by along it
 };
 }  // namespace btElasticPlastic
 

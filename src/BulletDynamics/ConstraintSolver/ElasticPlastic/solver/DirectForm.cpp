@@ -7,6 +7,7 @@
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "../joint/BodyGate.h"
+#include "Jacobian.h"
 
 namespace btElasticPlastic
 {
@@ -21,6 +22,14 @@ const double SOFTENING = 1e-2;
 const double UNBOUNDED = 1e30;
 /// A contact slides, as a first guess, if its friction had this share of its bound in the last step.
 const double SLIDING = 0.999;
+/// A contact would take long to sweep if what it holds, a loose body or a structure's share, is this many times as heavy as the joined
+/// body that touches.
+const double HEAVY = 3;
+/// The most such contacts that are in the system.
+const int MOST_HEAVY = 64;
+/// Sweeps of contacts between two solutions of the system.
+const int SWEEPS_A_SOLUTION = 2;
+const int SWEEPS_WHERE_IT_FLOWS = 5;
 /// Inertia over mass [m^2] of a body about an axis about which it has no inertia in Bullet: so much that nothing turns it.
 const double INERTIA_OF_NONE = 1e6;
 
@@ -93,15 +102,20 @@ bool isFree(const btSolverBody& body)
 }
 }  // namespace
 
-void DirectForm::begin()
+void DirectForm::begin(bool sweepsContacts)
 {
+	m_sweepsContacts = sweepsContacts;
 	m_input.clear();
 	m_joints.resize(0);
 	m_index.resize(0);
+	m_poolRows.resize(0);
+	m_solverBodies.resize(0);
+	m_byOthers.clear();
+	m_swept.clear();
 	m_recovery.begin();
 }
 
-/// Adds the solver bodies that Bullet has made since the last call. There may be static ones only among them.
+/// Looks at the solver bodies that Bullet has made since the last call. There may be static ones only among them.
 void DirectForm::addBodies(const SolverPools& pools)
 {
 	for (int i = m_index.size(); i < pools.m_bodies.size(); ++i)
@@ -109,10 +123,23 @@ void DirectForm::addBodies(const SolverPools& pools)
 		const btRigidBody* body = pools.m_bodies[i].m_originalBody;
 		// A kinematic body moves as it is told, even if it still has a mass.
 		const bool moves = body && body->getInvMass() > 0 && !body->isKinematicObject() && isFinite(*body);
-		m_index.push_back(moves ? m_input.getNumBodies() : -1);
-		if (moves)
-			setMass(*body, m_input.addBody());
+		m_index.push_back(moves ? OUTSIDE : STILL);
+		if (!m_sweepsContacts)
+			addBody(i, pools);
 	}
+}
+
+/// \return the body's index in the system, -1: it does not move
+int DirectForm::addBody(int solverBody, const SolverPools& pools)
+{
+	int& index = m_index[solverBody];
+	if (index == OUTSIDE)
+	{
+		index = m_input.getNumBodies();
+		setMass(*pools.m_bodies[solverBody].m_originalBody, m_input.addBody());
+		m_solverBodies.push_back(solverBody);
+	}
+	return index;
 }
 
 // ---- joints
@@ -128,10 +155,11 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 									   B.m_linearVelocity - B.m_externalForceImpulse - wB.cross(k.m_rB),
 								   wA - wB};
 	const double most = joint.m_model.m_constraint.getBreakingImpulseThreshold();
-	Joint entry = {&joint, m_input.getNumRows(), {m_index[solverBodies[0]], m_index[solverBodies[1]]}, -1, false};
+	Joint entry = {
+		&joint, m_input.getNumRows(), {addBody(solverBodies[0], pools), addBody(solverBodies[1], pools)}, -1, false};
 	const bool isUnit = isFree(A) && isFree(B);
 	if (isUnit)
-		addUnit(rows, solverBodies);
+		addUnit(rows, entry.m_bodies);
 	else
 		addUnitAsSingleRows(rows, solverBodies, pools);
 	for (int r = 0; r < rows.m_numRows; ++r)
@@ -156,7 +184,7 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 	m_joints.push_back(entry);
 }
 
-void DirectForm::addUnit(const JointRows& rows, const int solverBodies[2])
+void DirectForm::addUnit(const JointRows& rows, const int bodies[2])
 {
 	const Kinematics& k = rows.m_kinematics;
 	SystemInput::Unit& unit = m_input.addUnit(rows.m_numRows);
@@ -168,7 +196,7 @@ void DirectForm::addUnit(const JointRows& rows, const int solverBodies[2])
 		unit.m_arm[1][i] = k.m_rB[i];
 	}
 	for (int side = 0; side < 2; ++side)
-		unit.m_body[side] = m_index[solverBodies[side]];
+		unit.m_body[side] = bodies[side];
 	for (int r = 0; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
 		unit.m_dof[r] = static_cast<signed char>(rows.m_row[r].m_dof);
 }
@@ -216,16 +244,18 @@ void DirectForm::addUnitAsSingleRows(const JointRows& rows, const int solverBodi
 
 /// Adds one of Bullet's rows. The fixed point of Bullet's iteration is rhs = cfm impulse + jacDiagABInv J dv, with
 /// jacDiagABInv = 1 / (A + C); divided by jacDiagABInv it is the system's row.
-SystemInput::SingleRow& DirectForm::addRow(const btSolverConstraint& from, const SolverPools& pools)
+SystemInput::SingleRow& DirectForm::addRow(btSolverConstraint& from, const SolverPools& pools)
 {
+	const int bodies[2] = {addBody(from.m_solverBodyIdA, pools), addBody(from.m_solverBodyIdB, pools)};
 	SystemInput::SingleRow& row = m_input.addSingleRow();
+	m_poolRows.push_back({&from, row.m_row});
 	const btSolverBody &A = pools.m_bodies[from.m_solverBodyIdA], &B = pools.m_bodies[from.m_solverBodyIdB];
 	copy(row.m_J, from.m_contactNormal1, A.m_linearFactor);
 	copy(row.m_J + 3, from.m_relpos1CrossNormal, A.m_angularFactor);
 	copy(row.m_J + 6, from.m_contactNormal2, B.m_linearFactor);
 	copy(row.m_J + 9, from.m_relpos2CrossNormal, B.m_angularFactor);
-	row.m_body[0] = m_index[from.m_solverBodyIdA];
-	row.m_body[1] = m_index[from.m_solverBodyIdB];
+	row.m_body[0] = bodies[0];
+	row.m_body[1] = bodies[1];
 	SystemInput::Bounded& terms = m_input.m_rows[row.m_row];
 	const double diagonal = from.m_jacDiagABInv > 0 ? 1 / double(from.m_jacDiagABInv) : 1;
 	terms.m_target = double(from.m_rhs) * diagonal;
@@ -237,15 +267,127 @@ SystemInput::SingleRow& DirectForm::addRow(const btSolverConstraint& from, const
 	return row;
 }
 
-/// Adds a contact's row, which is softened for the augmented Lagrangian unless it is softer already.
-SystemInput::SingleRow& DirectForm::addContactRow(const btSolverConstraint& from, const SolverPools& pools)
+/// Adds a contact's row, which is softened for the augmented Lagrangian unless it is softer already. What Bullet's warm start has
+/// given to the bodies is taken back: the system gives it itself.
+SystemInput::SingleRow& DirectForm::addContactRow(btSolverConstraint& from, const SolverPools& pools)
 {
 	SystemInput::SingleRow& row = addRow(from, pools);
 	SystemInput::Bounded& terms = m_input.m_rows[row.m_row];
 	row.m_isContact = true;
 	row.m_softening = btMax(0., SOFTENING / double(from.m_jacDiagABInv) - terms.m_compliance);
 	terms.m_compliance += row.m_softening;
+	if (m_sweepsContacts)
+	{
+		btSolverBody &A = pools.m_bodies[from.m_solverBodyIdA], &B = pools.m_bodies[from.m_solverBodyIdB];
+		A.internalApplyImpulse(from.m_contactNormal1 * A.internalGetInvMass(), from.m_angularComponentA,
+							   -btScalar(from.m_appliedImpulse));
+		B.internalApplyImpulse(from.m_contactNormal2 * B.internalGetInvMass(), from.m_angularComponentB,
+							   -btScalar(from.m_appliedImpulse));
+	}
 	return row;
+}
+
+/// Where contacts are swept, the constraints' rows that hang together with joints are in the system, and others are swept.
+void DirectForm::addConstraints(const SolverPools& pools)
+{
+	const auto isInside = [&](const btSolverConstraint& row)
+	{ return m_index[row.m_solverBodyIdA] >= 0 || m_index[row.m_solverBodyIdB] >= 0; };
+	for (bool grows = m_sweepsContacts; grows;)
+	{
+		const int before = m_input.getNumBodies();
+		for (int i = 0; i < pools.m_constraints.size(); ++i)
+			if (isInside(pools.m_constraints[i]))
+			{
+				addBody(pools.m_constraints[i].m_solverBodyIdA, pools);
+				addBody(pools.m_constraints[i].m_solverBodyIdB, pools);
+			}
+		grows = m_input.getNumBodies() > before;
+	}
+	for (int i = 0; i < pools.m_constraints.size(); ++i)
+		if (!m_sweepsContacts || isInside(pools.m_constraints[i]))
+			addRow(pools.m_constraints[i], pools);
+		else
+			m_swept.addConstraint(i);
+}
+
+/// Chooses the contacts that stay in the system: sweeping sees only the two bodies that touch, and takes long where much more rests
+/// on them.
+void DirectForm::chooseExactContacts(const SolverPools& pools)
+{
+	const int n = pools.m_contacts.size();
+	m_singleRowOf.resizeNoInitialize(n);
+	for (int i = 0; i < n; ++i)
+		m_singleRowOf[i] = m_sweepsContacts ? -1 : 0;
+	if (!m_sweepsContacts)
+		return;
+	m_structures.find(m_input);
+	const auto massOf = [&](int solverBody)
+	{ return 1 / double(pools.m_bodies[solverBody].m_originalBody->getInvMass()); };
+	// The body of a structure that the contact holds, -1 if it holds none: from below, or against something heavier.
+	const auto heldBy = [&](const btSolverConstraint& contact)
+	{
+		const int bodies[2] = {contact.m_solverBodyIdA, contact.m_solverBodyIdB};
+		for (int side = 0; side < 2; ++side)
+		{
+			const int joined = bodies[side], other = bodies[1 - side];
+			if (m_index[joined] >= 0 && !m_structures.isHeld(m_index[joined]) && m_index[other] == STILL)
+				return joined;
+		}
+		return -1;
+	};
+	m_numSupports.resizeNoInitialize(0);
+	m_numSupports.resize(m_input.getNumBodies(), 0);
+	for (int i = 0; i < n; ++i)
+	{
+		const int held = heldBy(pools.m_contacts[i]);
+		if (held >= 0)
+			++m_numSupports[m_structures.of(m_index[held])];
+	}
+	const auto isHeavy = [&](const btSolverConstraint& contact)
+	{
+		const int held = heldBy(contact);
+		if (held >= 0)
+		{
+			const int body = m_index[held];
+			return m_structures.getMass(body) > HEAVY * massOf(held) * m_numSupports[m_structures.of(body)];
+		}
+		const int bodies[2] = {contact.m_solverBodyIdA, contact.m_solverBodyIdB};
+		for (int side = 0; side < 2; ++side)
+		{
+			const int loose = bodies[side], joined = bodies[1 - side];
+			if (m_index[loose] == OUTSIDE && m_index[joined] >= 0 && massOf(loose) > HEAVY * massOf(joined))
+				return true;
+		}
+		return false;
+	};
+	for (int i = 0, numHeavy = 0; i < n && numHeavy < MOST_HEAVY; ++i)
+		if (isHeavy(pools.m_contacts[i]))
+		{
+			m_singleRowOf[i] = 0;
+			++numHeavy;
+		}
+}
+
+/// \return the contact's single row
+int DirectForm::addContact(btSolverConstraint& contact, const SolverPools& pools, const btContactSolverInfo& info)
+{
+	const Recovery::Demand demand = Recovery::take(contact, info);
+	const int r = addContactRow(contact, pools).m_row;
+	SystemInput::Bounded& row = m_input.m_rows[size_t(r)];
+	SystemInput::Guess& guess = m_input.m_guess[size_t(r)];
+	row.m_lower = 0;
+	row.m_upper = UNBOUNDED;
+	guess.m_bound = -1;
+	if (demand.m_isInRow)
+		row.m_target -= demand.m_speed;
+	if (demand.m_speed > 0)
+		m_recovery.addContact(r, demand.m_speed, double(contact.m_jacDiagABInv));
+	if (contact.m_originalContactPoint)
+	{
+		guess.m_impulse = contact.m_appliedImpulse;
+		guess.m_bound = static_cast<signed char>(guess.m_impulse > 0 ? 0 : -1);
+	}
+	return m_input.getNumSingleRows() - 1;
 }
 
 /// The search begins with the bounds that follow from the impulses of the last step, which contact points keep. Multipliers
@@ -253,101 +395,197 @@ SystemInput::SingleRow& DirectForm::addContactRow(const btSolverConstraint& from
 /// energy and creates none.
 void DirectForm::addContacts(const SolverPools& pools, const btContactSolverInfo& info)
 {
-	const bool hasTwoDirections = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
-	const int first = m_input.getNumSingleRows();
-	m_lastFriction.resizeNoInitialize(0);
-	m_lastFriction.resize(pools.m_friction.size(), 0);
+	chooseExactContacts(pools);
 	for (int i = 0; i < pools.m_contacts.size(); ++i)
 	{
 		btSolverConstraint& contact = pools.m_contacts[i];
-		const int r = addContactRow(contact, pools).m_row;
-		SystemInput::Bounded& row = m_input.m_rows[r];
-		SystemInput::Guess& guess = m_input.m_guess[r];
-		row.m_lower = 0;
-		row.m_upper = UNBOUNDED;
-		guess.m_bound = -1;
-		m_recovery.addContact(contact, info, m_input, r);
-		const btManifoldPoint* const point = static_cast<const btManifoldPoint*>(contact.m_originalContactPoint);
-		if (!point)
+		if (m_singleRowOf[i] >= 0)
+		{
+			m_singleRowOf[i] = addContact(contact, pools, info);
 			continue;
-		guess.m_impulse = contact.m_appliedImpulse;
-		guess.m_bound = static_cast<signed char>(guess.m_impulse > 0 ? 0 : -1);
-		m_lastFriction[contact.m_frictionIndex] = point->m_appliedImpulseLateral1;
-		if (hasTwoDirections)
-			m_lastFriction[contact.m_frictionIndex + 1] = point->m_appliedImpulseLateral2;
+		}
+		const Recovery::Demand demand = Recovery::take(contact, info);
+		if (demand.m_isInRow)
+			contact.m_rhs -= btScalar(demand.m_speed) * contact.m_jacDiagABInv;
+		m_swept.addContact(i, btScalar(demand.m_speed));
 	}
-	addFriction(pools.m_friction, first, false, pools);
-	addFriction(pools.m_rollingFriction, first, true, pools);
+	addFriction(pools.m_friction, false, pools, info);
+	addFriction(pools.m_rollingFriction, true, pools, info);
 }
 
-void DirectForm::addFriction(const btConstraintArray& rows, int firstContact, bool isRolling, const SolverPools& pools)
+void DirectForm::addFriction(btConstraintArray& rows, bool isRolling, const SolverPools& pools,
+							 const btContactSolverInfo& info)
 {
+	const bool hasTwoDirections = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
 	for (int i = 0; i < rows.size(); ++i)
 	{
+		const int contact = rows[i].m_frictionIndex;
+		if (m_singleRowOf[contact] < 0)
+		{
+			isRolling ? m_swept.addRollingFriction(i) : m_swept.addFriction(i);
+			continue;
+		}
 		SystemInput::SingleRow& row = addContactRow(rows[i], pools);
 		row.m_friction = rows[i].m_friction;
-		row.m_normal = firstContact + rows[i].m_frictionIndex;
+		row.m_normal = m_singleRowOf[contact];
 		// Bullet bounds rolling friction by its coefficient too.
 		row.m_frictionMax = isRolling ? double(rows[i].m_friction) : 0;
 		if (isRolling)
 			continue;
+		// The last step's impulse in this direction: the first of a contact's rows, or the second.
+		double last = 0;
+		if (const auto* const point =
+				static_cast<const btManifoldPoint*>(pools.m_contacts[contact].m_originalContactPoint))
+		{
+			const bool isSecond = i != pools.m_contacts[contact].m_frictionIndex;
+			last = !isSecond          ? point->m_appliedImpulseLateral1
+				   : hasTwoDirections ? point->m_appliedImpulseLateral2
+									  : btScalar(0);
+		}
 		const double most = row.m_friction * m_input.m_guess[m_input.m_singleRows[row.m_normal].m_row].m_impulse;
 		const double slides = SLIDING * most;
-		m_input.m_guess[row.m_row].m_bound = static_cast<signed char>(m_lastFriction[i] >= slides    ? 1
-																	  : m_lastFriction[i] <= -slides ? -1
-																									 : 0);
+		m_input.m_guess[row.m_row].m_bound = static_cast<signed char>(last >= slides ? 1 : last <= -slides ? -1 : 0);
 	}
 }
 
 // ---- the solution
 
-bool DirectForm::solve(const SolverPools& pools, const btContactSolverInfo& info)
+void DirectForm::solve(const SolverPools& pools, const btContactSolverInfo& info,
+					   const SweptRows::RowSolvers& rowSolvers)
 {
 	addBodies(pools);
-	m_firstRow = m_input.getNumSingleRows();
-	for (int i = 0; i < pools.m_constraints.size(); ++i)
-		addRow(pools.m_constraints[i], pools);
+	addConstraints(pools);
 	addContacts(pools, info);
+	if (!m_swept.isEmpty())
+	{
+		solveAround(pools, info, rowSolvers);
+		return;
+	}
+	if (m_recovery.hasContacts())
+		m_recovery.keep(m_input);
 	// The first joint of an island keeps the island's id.
-	return m_recovery.solve(m_system, m_input, m_joints[0].m_works->m_islandId);
+	const bool isSolved = m_system.solve(m_input, m_joints[0].m_works->m_islandId, System::EXACT);
+	writeVelocities(pools);
+	if (isSolved && m_recovery.hasContacts())
+		m_recovery.solve(m_system, m_input, {});
+}
+
+/// Sweeps and solutions in turn; ends with a solution.
+void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo& info,
+							 const SweptRows::RowSolvers& rowSolvers)
+{
+	const std::vector<SystemInput::Bounded> rows = m_input.m_rows;
+	std::vector<double> along;
+	const int sweeps = btMax(info.m_numIterations, 1);
+	bool isSolved = true;
+	for (int done = 0;;)
+	{
+		takeOthers(pools);
+		project(m_input, m_byOthers, along);
+		for (size_t i = 0; i < rows.size(); ++i)
+		{
+			m_input.m_rows[i] = rows[i];
+			m_input.m_rows[i].m_target -= along[i];
+		}
+		const bool isFirst = done == 0, isLast = done >= sweeps;
+		if (isLast)
+			m_recovery.keep(m_input);
+		const System::Effort effort = isLast ? System::EXACT : System::ROUGH;
+		isSolved =
+			isFirst ? m_system.solve(m_input, m_joints[0].m_works->m_islandId, effort, 2 + sweeps / SWEEPS_A_SOLUTION)
+					: m_system.solveAgain(m_input, effort);
+		writeVelocities(pools);
+		if (isLast)
+			break;
+		// The more of the structure is flowing, the more a solution costs, and the less it says about the next one.
+		const int most = m_system.isHard()        ? sweeps
+						 : m_system.hasSearched() ? SWEEPS_WHERE_IT_FLOWS
+												  : SWEEPS_A_SOLUTION;
+		for (int i = 0; i < most && done < sweeps; ++i, ++done)
+			m_swept.sweep(pools, rowSolvers);
+	}
+	if (!isSolved || !(m_swept.hasRecovery() || m_recovery.hasContacts()))
+		return;
+	std::vector<double> push;
+	if (m_swept.hasRecovery())
+	{
+		m_swept.recover(pools, sweeps);
+		push.resize(m_byOthers.size());
+		for (int b = 0; b < m_solverBodies.size(); ++b)
+			for (int i = 0; i < 6; ++i)
+				push[size_t(6 * b + i)] = m_swept.getPush(m_solverBodies[b])[i / 3][i % 3];
+	}
+	m_recovery.solve(m_system, m_input, push);
+}
+
+/// Reads what swept rows have given to the system's bodies since their velocities were written.
+void DirectForm::takeOthers(const SolverPools& pools)
+{
+	const size_t n = size_t(m_solverBodies.size());
+	if (m_byOthers.size() != 6 * n)
+	{
+		m_byOthers.assign(6 * n, 0.);
+		m_written.assign(6 * n, 0.);
+	}
+	for (size_t b = 0; b < n; ++b)
+	{
+		btSolverBody& body = pools.m_bodies[m_solverBodies[int(b)]];
+		for (int i = 0; i < 3; ++i)
+		{
+			m_byOthers[6 * b + i] += double(body.internalGetDeltaLinearVelocity()[i]) - m_written[6 * b + i];
+			m_byOthers[6 * b + 3 + i] += double(body.internalGetDeltaAngularVelocity()[i]) - m_written[6 * b + 3 + i];
+		}
+	}
+}
+
+/// Gives bodies the system's change of velocity, beside what swept rows have given.
+void DirectForm::writeVelocities(const SolverPools& pools)
+{
+	for (int b = 0; b < m_solverBodies.size(); ++b)
+	{
+		btSolverBody& body = pools.m_bodies[m_solverBodies[b]];
+		const btVector3 &linearFactor = body.m_originalBody->getLinearFactor(),
+						&angularFactor = body.m_originalBody->getAngularFactor();
+		btVector3 &linear = body.internalGetDeltaLinearVelocity(), &angular = body.internalGetDeltaAngularVelocity();
+		const double *const own = m_system.getVelocityChange(b), *const others = m_byOthers.empty()
+																					 ? nullptr
+																					 : &m_byOthers[size_t(6 * b)];
+		for (int i = 0; i < 3; ++i)
+		{
+			linear[i] = linearFactor[i] == 0 ? btScalar(0) : btScalar(own[i] + (others ? others[i] : 0));
+			angular[i] = angularFactor[i] == 0 ? btScalar(0) : btScalar(own[3 + i] + (others ? others[3 + i] : 0));
+			if (!others)
+				continue;
+			m_written[size_t(6 * b + i)] = linear[i];
+			m_written[size_t(6 * b + 3 + i)] = angular[i];
+		}
+	}
 }
 
 void DirectForm::writeResult(const SolverPools& pools, const btContactSolverInfo& info) const
 {
+	for (int i = 0; i < m_poolRows.size(); ++i)
+		m_poolRows[i].m_from->m_appliedImpulse = btScalar(m_system.getImpulse(m_poolRows[i].m_row));
+	if (!m_recovery.hasMotion())
+		return;
 	// Bullet turns bodies by a share of what it is told.
 	const double turnShare = info.m_splitImpulseTurnErp > 0 ? double(info.m_splitImpulseTurnErp) : 1;
 	for (int i = 0; i < pools.m_bodies.size(); ++i)
 	{
 		btSolverBody& body = pools.m_bodies[i];
-		if (m_index[i] < 0)
+		if (m_index[i] == STILL || (m_index[i] == OUTSIDE && !m_swept.hasRecovery()))
 			continue;
-		const double* v = m_system.getVelocityChange(m_index[i]);
-		body.internalGetDeltaLinearVelocity().setValue(btScalar(v[0]), btScalar(v[1]), btScalar(v[2]));
-		body.internalGetDeltaAngularVelocity().setValue(btScalar(v[3]), btScalar(v[4]), btScalar(v[5]));
+		double motion[6];
+		for (int k = 0; k < 6; ++k)
+			motion[k] = m_index[i] >= 0 ? m_recovery.getMotion(m_index[i])[k] : m_swept.getPush(i)[k / 3][k % 3];
 		const btVector3 &linear = body.m_originalBody->getLinearFactor(),
 						&angular = body.m_originalBody->getAngularFactor();
-		for (int k = 0; k < 3; ++k)
-		{
-			if (linear[k] == 0)
-				body.internalGetDeltaLinearVelocity()[k] = 0;
-			if (angular[k] == 0)
-				body.internalGetDeltaAngularVelocity()[k] = 0;
-		}
-		if (!m_recovery.hasMotion())
-			continue;
-		const double* motion = m_recovery.getMotion(m_index[i]);
 		for (int k = 0; k < 3; ++k)
 		{
 			body.internalGetPushVelocity()[k] += linear[k] == 0 ? btScalar(0) : btScalar(motion[k]);
 			body.internalGetTurnVelocity()[k] += angular[k] == 0 ? btScalar(0) : btScalar(motion[3 + k] / turnShare);
 		}
 	}
-	btConstraintArray* const written[] = {&pools.m_constraints, &pools.m_contacts, &pools.m_friction,
-										  &pools.m_rollingFriction};
-	int row = m_firstRow;
-	for (btConstraintArray* pool : written)
-		for (int i = 0; i < pool->size(); ++i)
-			(*pool)[i].m_appliedImpulse = btScalar(m_system.getImpulse(m_input.m_singleRows[row++].m_row));
 }
 
 btVector3 DirectForm::dampingImpulse(const Joint& joint) const
@@ -393,12 +631,5 @@ void DirectForm::finish()
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),
 								   joint.m_isCut ? BETWEEN : m_system.getBounds(joint.m_firstRow));
 	}
-}
-
-void DirectForm::cancel()
-{
-	for (int j = 0; j < m_joints.size(); ++j)
-		m_joints[j].m_works->m_step.revert();
-	m_joints.resize(0);
 }
 }  // namespace btElasticPlastic

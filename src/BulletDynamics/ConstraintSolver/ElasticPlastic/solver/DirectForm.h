@@ -7,12 +7,20 @@
 #include "../joint/JointWorks.h"
 #include "Recovery.h"
 #include "SolverPools.h"
+#include "Structures.h"
+#include "SweptRows.h"
 #include "System.h"
 
 namespace btElasticPlastic
 {
 /// The direct form of the solver: puts an island's bodies, elastic-plastic joints and Bullet's rows into a System, and its
 /// solution back. Bullet sees no rows of elastic-plastic joints here, which saves most of what it spends on setting them up.
+///
+/// Contacts are solved with the joints, exactly, or swept around them. Swept, the System has what constraints join to
+/// elastic-plastic joints. Contacts and loose bodies are swept as Bullet sweeps them, and after every few sweeps the System is
+/// solved for what they have given to its bodies. Both find the impulses that are best as long as the others stay, so energy
+/// falls from one to the next; the System is last, so joints' impulses are exact for the contacts'. A contact of a heavy loose body
+/// with a light one of the System would take long to sweep, and stays in the System.
 class DirectForm
 {
 public:
@@ -20,16 +28,16 @@ public:
 
 	System& getSystem() { return m_system; }
 
-	/// Begins an island.
-	void begin();
+	/// Begins an island. \param sweepsContacts  whether contacts are swept around the joints
+	void begin(bool sweepsContacts);
 
 	/// \param solverBodies  of the joint's bodies, indices of the pool
 	void addJoint(JointWorks& joint, const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
 
 	bool hasJoints() const { return m_joints.size() > 0; }
 
-	/// Adds Bullet's rows and solves. \return false if it does not converge
-	bool solve(const SolverPools& pools, const btContactSolverInfo& info);
+	/// Adds Bullet's rows and solves.
+	void solve(const SolverPools& pools, const btContactSolverInfo& info, const SweptRows::RowSolvers& rowSolvers);
 
 	/// After solve(): gives bodies their changes of velocity and the motion of their places, and Bullet's rows their impulses.
 	void writeResult(const SolverPools& pools, const btContactSolverInfo& info) const;
@@ -39,9 +47,6 @@ public:
 
 	/// Gives joints their impulses, after Bullet has finished the step's solution.
 	void finish();
-
-	/// Forgets the island: its joints have no part in the step any more.
-	void cancel();
 
 private:
 	struct Joint
@@ -53,24 +58,53 @@ private:
 		bool m_isCut;  ///< whether Bullet's breaking threshold has replaced a bound; a row at this bound does not flow
 	};
 
+	/// One of Bullet's rows that is in the system.
+	struct PoolRow
+	{
+		btSolverConstraint* m_from;
+		int m_row;
+	};
+
 	void addBodies(const SolverPools& pools);
-	void addUnit(const JointRows& rows, const int solverBodies[2]);
+	int addBody(int solverBody, const SolverPools& pools);
+	void addUnit(const JointRows& rows, const int bodies[2]);
 	void addDamping(const TensionDamping& damping, const btVector3& spin, const int bodies[2]);
 	btVector3 dampingImpulse(const Joint& joint) const;
 	void giveRecovery(const Joint& joint) const;
 	void addUnitAsSingleRows(const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
-	SystemInput::SingleRow& addRow(const btSolverConstraint& row, const SolverPools& pools);
-	SystemInput::SingleRow& addContactRow(const btSolverConstraint& row, const SolverPools& pools);
+	SystemInput::SingleRow& addRow(btSolverConstraint& row, const SolverPools& pools);
+	SystemInput::SingleRow& addContactRow(btSolverConstraint& row, const SolverPools& pools);
+	void addConstraints(const SolverPools& pools);
+	void chooseExactContacts(const SolverPools& pools);
 	void addContacts(const SolverPools& pools, const btContactSolverInfo& info);
-	void addFriction(const btConstraintArray& rows, int firstContact, bool isRolling, const SolverPools& pools);
+	int addContact(btSolverConstraint& contact, const SolverPools& pools, const btContactSolverInfo& info);
+	void addFriction(btConstraintArray& rows, bool isRolling, const SolverPools& pools,
+					 const btContactSolverInfo& info);
+	void solveAround(const SolverPools& pools, const btContactSolverInfo& info,
+					 const SweptRows::RowSolvers& rowSolvers);
+	void takeOthers(const SolverPools& pools);
+	void writeVelocities(const SolverPools& pools);
 
 	SystemInput m_input;
 	System m_system;
 	Recovery m_recovery;
 	btAlignedObjectArray<Joint> m_joints;
-	btAlignedObjectArray<int> m_index;  ///< index in the system of each solver body, -1: it does not move
-	int m_firstRow = 0;                 ///< index of the single row that stands for the first row in Bullet's pools
-	btAlignedObjectArray<btScalar> m_lastFriction;  ///< the last step's impulses, by Bullet's pool
+	btAlignedObjectArray<int> m_index;  ///< index in the system of each solver body, or one of the two that follow
+	enum
+	{
+		STILL = -1,   ///< does not move
+		OUTSIDE = -2  ///< moves, and is not in the system
+	};
+	btAlignedObjectArray<PoolRow> m_poolRows;
+	btAlignedObjectArray<int> m_singleRowOf;  ///< single row of each of Bullet's contacts, -1: it is swept
+	// Where contacts are swept.
+	bool m_sweepsContacts = false;
+	SweptRows m_swept;
+	Structures m_structures;
+	btAlignedObjectArray<int> m_numSupports;   ///< contacts that hold a structure, by its body
+	btAlignedObjectArray<int> m_solverBodies;  ///< of each body in the system
+	std::vector<double> m_byOthers;            ///< by body, 6 doubles: change of velocity that swept rows have given
+	std::vector<double> m_written;             ///< the same, as the bodies had it after the last solution
 };
 }  // namespace btElasticPlastic
 

@@ -5,6 +5,7 @@
 
 #include "../joint/Prefetch.h"
 #include "../linear/ScopedTimer.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
@@ -44,16 +45,27 @@ void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& i
 						 btDispatcher* dispatcher)
 {
 	m_joints = island.m_joints;
+	m_sweepsContacts = sweepsContacts(island);
 	giveWokenTheirWeight(island.m_bodies, island.m_numBodies);
 	solveGroup(island.m_bodies, island.m_numBodies, island.m_manifolds, island.m_numManifolds, island.m_constraints,
 			   island.m_numConstraints, info, debugDrawer, dispatcher);
+}
+
+bool IslandSolver::sweepsContacts(const SolverGroup& island) const
+{
+	if (m_settings.m_contacts != BT_EP_CONTACTS_BY_ISLAND)
+		return m_settings.m_contacts == BT_EP_SWEPT_CONTACTS;
+	int points = 0;
+	for (int i = 0; i < island.m_numManifolds; ++i)
+		points += island.m_manifolds[i]->getNumContacts();
+	return points > m_settings.m_maxExactContacts;
 }
 
 // ---- set-up
 
 void IslandSolver::convertJoints(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
 {
-	m_direct.begin();
+	m_direct.begin(m_sweepsContacts);
 	m_iterative.begin();
 	if (m_settings.m_form == BT_EP_DIRECT)
 		convertForDirect(constraints, numConstraints, info);
@@ -128,27 +140,15 @@ btScalar IslandSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bod
 {
 	if (m_direct.hasJoints())
 	{
-		if (m_direct.solve(pools(), info))
-		{
-			solveGroupCacheFriendlySplitImpulseIterations(bodies, numBodies, manifolds, numManifolds, constraints,
-														  numConstraints, info, debugDrawer);
-			m_direct.writeResult(pools(), info);
-			return 0;
-		}
-		fallBack(constraints, numConstraints, info);
+		m_direct.solve(pools(), info,
+					   {getActiveConstraintRowSolverGeneric(), getActiveConstraintRowSolverLowerLimit()});
+		solveGroupCacheFriendlySplitImpulseIterations(bodies, numBodies, manifolds, numManifolds, constraints,
+													  numConstraints, info, debugDrawer);
+		m_direct.writeResult(pools(), info);
+		return 0;
 	}
 	return btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyIterations(
 		bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, debugDrawer);
-}
-
-void IslandSolver::fallBack(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
-{
-	++m_statistics.m_fallbacks;
-	m_direct.cancel();
-	convertForIterative(constraints, numConstraints, info);
-	m_orderNonContactConstraintPool.resizeNoInitialize(m_tmpSolverNonContactConstraintPool.size());
-	for (int i = 0; i < m_orderNonContactConstraintPool.size(); ++i)
-		m_orderNonContactConstraintPool[i] = i;
 }
 
 btScalar IslandSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,

@@ -45,15 +45,16 @@ protected:
 
 private:
 	SolverPools pools();
+	bool sweepsContacts(const SolverGroup& island) const;
 	void convertForDirect(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 	void convertForIterative(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 	void addToDirect(JointWorks& joint, const btContactSolverInfo& info);
-	void fallBack(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 
 	btElasticPlasticSolverSettings m_settings;
 	btElasticPlasticStatistics m_statistics;
 	DirectForm m_direct;
 	IterativeForm m_iterative;
+	bool m_sweepsContacts = false;    ///< of the island at work
 	JointWorks** m_joints = nullptr;  ///< of the island at work, per constraint, null: not elastic-plastic
 	btAlignedObjectArray<btTypedConstraint*> m_others;  ///< the island's constraints that have rows in Bullet's pool
 	btAlignedObjectArray<JointWorks*> m_otherJoints;  ///< the works of m_others, null where one is not elastic-plastic

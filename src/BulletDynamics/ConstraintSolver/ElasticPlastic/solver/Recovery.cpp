@@ -6,6 +6,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btSolverConstraint.h"
+#include "Jacobian.h"
 
 namespace btElasticPlastic
 {
@@ -25,49 +26,56 @@ bool hasItsOwn(const btManifoldPoint& point)
 }
 }  // namespace
 
-void Recovery::addContact(btSolverConstraint& from, const btContactSolverInfo& info, SystemInput& input, int row)
+Recovery::Demand Recovery::take(btSolverConstraint& contact, const btContactSolverInfo& info)
 {
-	const btManifoldPoint* const point = static_cast<const btManifoldPoint*>(from.m_originalContactPoint);
-	if (!point || hasItsOwn(*point) || !(from.m_jacDiagABInv > 0))
-		return;
+	Demand demand;
+	const btManifoldPoint* const point = static_cast<const btManifoldPoint*>(contact.m_originalContactPoint);
+	if (!point || hasItsOwn(*point) || !(contact.m_jacDiagABInv > 0))
+		return demand;
 	const double gap = double(point->getDistance()) + double(info.m_linearSlop);
 	const double speed = -gap * double(info.m_erp2) / double(info.m_timeStep);
 	if (!(speed > SLOW))
-		return;
+		return demand;
 	const bool isSplit = info.m_splitImpulse && !(gap > double(info.m_splitImpulsePenetrationThreshold));
 	if (isSplit)
-		from.m_rhsPenetration = 0;
-	else
-		input.m_rows[size_t(row)].m_target -= speed;
-	m_contacts.push_back({row, speed, MOST_PUSH * speed * double(from.m_jacDiagABInv)});
+		contact.m_rhsPenetration = 0;
+	demand.m_speed = speed;
+	demand.m_isInRow = !isSplit;
+	return demand;
 }
 
-bool Recovery::solve(System& system, SystemInput& input, int& islandId)
+void Recovery::begin()
 {
+	m_contacts.clear();
 	m_motion.clear();
-	if (!m_contacts.empty())
-		m_rows = input.m_rows;
-	if (!system.solve(input, islandId))
-		return false;
-	if (m_contacts.empty())
-		return true;
+}
+
+void Recovery::solve(System& system, SystemInput& input, const std::vector<double>& push)
+{
 	m_first = system.getResult();
 	input.m_rows = m_rows;
 	for (const Contact& contact : m_contacts)
 	{
 		SystemInput::Bounded& row = input.m_rows[size_t(contact.m_row)];
 		row.m_target += contact.m_speed;
-		row.m_upper = m_first.m_impulses[size_t(contact.m_row)] + contact.m_mostImpulse;
+		row.m_upper = m_first.m_impulses[size_t(contact.m_row)] + MOST_PUSH * contact.m_speed * contact.m_alone;
 	}
-	if (system.solveAgain(input))
+	if (!push.empty())
+	{
+		std::vector<double> along;
+		project(input, push, along);
+		for (size_t i = 0; i < along.size(); ++i)
+			input.m_rows[i].m_target -= along[i];
+	}
+	// What does not converge stays deep for a step: places are not worth as much as velocities.
+	if (system.solveAgain(input, System::PLAIN))
 	{
 		m_second = system.getResult();
+		m_motion = push;
 		m_motion.resize(m_first.m_velocity.size());
 		for (size_t i = 0; i < m_motion.size(); ++i)
-			m_motion[i] = m_second.m_velocity[i] - m_first.m_velocity[i];
+			m_motion[i] += m_second.m_velocity[i] - m_first.m_velocity[i];
 	}
-	// What does not converge stays deep for a step: places are not worth a wrong velocity.
 	system.setResult(m_first);
-	return true;
 }
 }  // namespace btElasticPlastic

@@ -23,17 +23,31 @@ namespace btElasticPlastic
 class Recovery
 {
 public:
+	/// Of a contact in Bullet's pool.
+	struct Demand
+	{
+		double m_speed = 0;      ///< at which recovery is to part the bodies [m/s]; 0: what Bullet does about it stays
+		bool m_isInRow = false;  ///< whether Bullet's row asks for this speed, too
+	};
+
+	/// Reads what recovery asks for, and takes Bullet's own push back.
+	static Demand take(btSolverConstraint& contact, const btContactSolverInfo& info);
+
 	/// Begins an island.
-	void begin() { m_contacts.clear(); }
+	void begin();
 
-	/// Takes recovery out of a contact's row.
-	/// \param from  Bullet's row, whose push is taken, too
-	/// \param row   the single row made from it
-	void addContact(btSolverConstraint& from, const btContactSolverInfo& info, SystemInput& input, int row);
+	/// \param row    of the system, without the demand's speed
+	/// \param alone  impulse per speed that would part the two bodies by themselves
+	void addContact(int row, double speed, double alone) { m_contacts.push_back({row, speed, alone}); }
 
-	/// Solves without recovery and, if there is any, with it.
-	/// \return false if the search does not converge
-	bool solve(System& system, SystemInput& input, int& islandId);
+	bool hasContacts() const { return !m_contacts.empty(); }
+
+	/// Keeps the rows as they are before the first solution.
+	void keep(const SystemInput& input) { m_rows = input.m_rows; }
+
+	/// After the first solution: solves with recovery.
+	/// \param push  by body, 6 doubles: velocity with which other contacts move places; empty: none
+	void solve(System& system, SystemInput& input, const std::vector<double>& push);
 
 	/// Did the last solution move anything?
 	bool hasMotion() const { return !m_motion.empty(); }
@@ -49,8 +63,7 @@ private:
 	struct Contact
 	{
 		int m_row;
-		double m_speed;  ///< at which it is to part
-		double m_mostImpulse;
+		double m_speed, m_alone;
 	};
 
 	std::vector<Contact> m_contacts;

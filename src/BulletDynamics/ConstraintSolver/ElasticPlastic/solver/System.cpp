@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "../linear/ScopedTimer.h"
-#include "../linear/Vector3.h"
+#include "Jacobian.h"
 
 namespace btElasticPlastic
 {
@@ -35,101 +35,31 @@ const double LENGTH_TOLERANCE = 1e-15, LENGTH_STEP = 1e-14;
 /// The most iterations of the exact search; bisection alone would need 50.
 const int MAX_LENGTH_STEPS = 60;
 
-/// A solution with a larger velocity [m/s], [rad/s] counts as not converged.
+// ---- when Newton's method is left for the interior point method
+
+/// A step of this share of its full length is short.
+const double SHORT_STEP = 0.1;
+/// After so many short ones, or so many steps of any length that did not end the search, there is no end in sight.
+const int SHORT_STEPS = 2, PATIENCE = 5;
+
+/// Nominal work of an evaluation, see btElasticPlasticStatistics::m_work.
+const double NANOSECONDS_A_ROW = 8;
+
+/// A solution with a larger velocity [m/s], [rad/s] counts as no number.
 const double FASTEST = 1e30;
-
-// ---- velocities and impulses
-
-const double AT_REST[6] = {};
-
-inline void addScaled(double factor, const double* a, double* to)
-{
-	for (int i = 0; i < 3; ++i)
-		to[i] += factor * a[i];
-}
-
-/// J v of all rows.
-void project(const SystemInput& input, const std::vector<double>& velocity, std::vector<double>& along)
-{
-	along.resize(input.m_rows.size());
-	const auto of = [&velocity](int body) { return body >= 0 ? &velocity[6 * size_t(body)] : AT_REST; };
-	for (const SystemInput::Unit& unit : input.m_units)
-	{
-		const double *a = of(unit.m_body[0]), *b = of(unit.m_body[1]);
-		double turnA[3], turnB[3], relative[2][3];
-		cross(a + 3, unit.m_arm[0], turnA);
-		cross(b + 3, unit.m_arm[1], turnB);
-		for (int i = 0; i < 3; ++i)
-		{
-			relative[0][i] = a[i] + turnA[i] - b[i] - turnB[i];
-			relative[1][i] = a[3 + i] - b[3 + i];
-		}
-		double* to = &along[unit.m_firstRow];
-		for (int r = 0; r < unit.m_numRows; ++r)
-		{
-			const int dof = unit.m_dof[r];
-			to[r] = dof < 3 ? dot(unit.m_axis[dof], relative[0]) : dot(unit.m_axis[dof - 3], relative[1]);
-		}
-	}
-	for (const SystemInput::SingleRow& row : input.m_singleRows)
-	{
-		const double *a = of(row.m_body[0]), *b = of(row.m_body[1]);
-		along[row.m_row] = dot(row.m_J, a) + dot(row.m_J + 3, a + 3) + dot(row.m_J + 6, b) + dot(row.m_J + 9, b + 3);
-	}
-}
-
-/// momentum += sum J^T lambda.
-void addImpulses(const SystemInput& input, const BoxLaw& law, std::vector<double>& momentum)
-{
-	double onGround[6] = {};
-	const auto of = [&](int body) { return body >= 0 ? &momentum[6 * size_t(body)] : onGround; };
-	for (const SystemInput::Unit& unit : input.m_units)
-	{
-		double sum[2][3] = {}, moment[3];
-		const double* impulses = law.getImpulses(unit.m_firstRow);
-		for (int r = 0; r < unit.m_numRows; ++r)
-		{
-			const int dof = unit.m_dof[r];
-			addScaled(impulses[r], unit.m_axis[dof % 3], sum[dof / 3]);
-		}
-		for (int side = 0; side < 2; ++side)
-		{
-			double* to = of(unit.m_body[side]);
-			const double sign = side == 0 ? 1 : -1;
-			cross(unit.m_arm[side], sum[0], moment);
-			addScaled(sign, sum[0], to);
-			addScaled(sign, moment, to + 3);
-			addScaled(sign, sum[1], to + 3);
-		}
-	}
-	for (const SystemInput::SingleRow& row : input.m_singleRows)
-	{
-		const double impulse = law.getImpulse(row.m_row);
-		for (int side = 0; side < 2; ++side)
-		{
-			double* to = of(row.m_body[side]);
-			addScaled(impulse, row.m_J + 6 * side, to);
-			addScaled(impulse, row.m_J + 6 * side + 3, to + 3);
-		}
-	}
-}
-
-/// y = M x
-void multiplyMass(const SystemInput& input, const std::vector<double>& x, std::vector<double>& y)
-{
-	for (size_t b = 0; b < input.m_bodies.size(); ++b)
-		for (int i = 0; i < 3; ++i)
-		{
-			y[6 * b + i] = input.m_bodies[b].m_mass[i] * x[6 * b + i];
-			y[6 * b + 3 + i] = dot(&input.m_bodies[b].m_inertia[3 * i], &x[6 * b + 3]);
-		}
-}
 }  // namespace
 
 void System::setSettings(const btElasticPlasticSolverSettings& settings)
 {
 	m_settings = settings;
 	m_linearSolver.setSettings(settings);
+}
+
+/// To be called where H changes beside the rows' bounds.
+void System::forgetMatrix()
+{
+	m_matrixIsCurrent = false;
+	m_linearSolver.forgetFactor();
 }
 
 /// x = H^-1 x for the rows' present bounds.
@@ -150,6 +80,7 @@ bool System::solveLinear(const SystemInput& input, std::vector<double>& x)
 void System::evaluate(const SystemInput& input)
 {
 	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
+	m_statistics.m_work += (long long)(NANOSECONDS_A_ROW * double(input.getNumRows()));
 	project(input, m_velocity, m_along);
 	m_boundsChanged = m_law.project(input, m_along);
 	if (m_boundsChanged)
@@ -171,7 +102,7 @@ double System::findResidual(const SystemInput& input)
 		m_phiTerms += fabs(term);
 		m_residual[i] = -m_residual[i];
 	}
-	addImpulses(input, m_law, m_residual);
+	addImpulses(input, m_law.getImpulses(0), m_residual);
 	return phi;
 }
 
@@ -182,24 +113,29 @@ bool System::guess(const SystemInput& input)
 {
 	m_law.holdBounds(input);
 	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
-	addImpulses(input, m_law, m_velocity);
+	addImpulses(input, m_law.getImpulses(0), m_velocity);
 	return solveLinear(input, m_velocity);
 }
 
-bool System::newton(const SystemInput& input)
+/// \param isGuess  whether dv solves the linear problem for the present bounds exactly; then the search ends where steps become short
+bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 {
 	evaluate(input);
-	// dv solves the linear problem for the guessed bounds exactly: if no bound changes, the guess was right.
-	if (!m_boundsChanged)
+	// If no bound changes, the guess was right.
+	if (isGuess && !m_boundsChanged)
 		return true;
+	const bool mayCrawl = !isGuess || m_settings.m_maxInteriorIterations == 0;
 	double phi = findResidual(input);
-	int roundings = 0, turns = 0;
-	for (int step = 0; step < m_settings.m_maxNewtonSteps; ++step)
+	int roundings = 0, turns = 0, shortSteps = 0;
+	long long stepWork = 1;
+	for (int step = 0; step < maxSteps && !isSpent(stepWork); ++step)
 	{
+		const long long workBefore = m_statistics.m_work;
 		m_step = m_residual;
 		if (!solveLinear(input, m_step))
 			return false;
 		++m_statistics.m_newtonSteps;
+		m_hasSearched = true;
 		double slope = 0;
 		for (size_t i = 0; i < m_step.size(); ++i)
 			slope -= m_residual[i] * m_step[i];
@@ -213,17 +149,61 @@ bool System::newton(const SystemInput& input)
 		// A full step that changes no bound has found the solution, too.
 		if (!m_boundsChanged)
 			return true;
+		stepWork = m_statistics.m_work - workBefore;
 		const double before = phi;
 		phi = findResidual(input);
 		if (phi <= before + SUFFICIENT_GAIN * slope + PHI_ROUNDING * fabs(before))
 			continue;
-		move(exactLength(input));
+		const double length = exactLength(input);
+		move(length);
+		m_statistics.m_work += (long long)(4 * NANOSECONDS_A_ROW * double(input.getNumRows()));
 		evaluate(input);
 		phi = findResidual(input);
 		if (!(phi == phi))
 			return false;
+		shortSteps += length < SHORT_STEP;
+		if (!mayCrawl && (shortSteps >= SHORT_STEPS || step >= PATIENCE))
+			return false;
 	}
 	return false;
+}
+
+/// Finds dv for the present targets of contacts. Where the interior point method was needed once, it is from the start.
+bool System::findMinimum(SystemInput& input, Effort effort)
+{
+	const bool mayUseInterior = effort != PLAIN && m_settings.m_maxInteriorIterations > 0;
+	if (!mayUseInterior || !m_isHard)
+	{
+		if (!guess(input))
+			return false;
+		if (newton(input, true, effort == ROUGH ? PATIENCE : m_settings.m_maxNewtonSteps))
+			return true;
+		if (!mayUseInterior)
+			return false;
+		m_isHard = true;
+	}
+	// Between sweeps any impulses will do that obey the law and gain no energy.
+	if (effort == ROUGH)
+	{
+		evaluate(input);
+		settle(input, m_law.getImpulses());
+		return true;
+	}
+	const bool isNear = m_interior.solve(input, m_contacts, m_matrix, m_linearSolver, m_velocity,
+										 m_settings.m_maxInteriorIterations, m_settings.m_maxWork > 0 ? m_workEnd : 0);
+	forgetMatrix();
+	if (isNear)
+	{
+		m_interiorHasSolved = true;
+		m_contacts.setMultipliers(input, m_interior.getImpulses(), m_interior.getUpperBounds());
+	}
+	if (newton(input, false, m_settings.m_maxNewtonSteps))
+		return true;
+	if (!isNear)
+		return false;
+	++m_statistics.m_cutSearches;
+	settle(input, m_interior.getImpulses());
+	return true;
 }
 
 void System::move(double length)
@@ -249,11 +229,12 @@ double System::exactLength(const SystemInput& input)
 	}
 	project(input, m_start, m_alongStart);
 	project(input, m_step, m_along);
+	m_law.beginLine(input, m_alongStart, m_along);
 	double low = 0, high = 1, t = 1;
 	for (int i = 0; i < MAX_LENGTH_STEPS && high - low > LENGTH_TOLERANCE; ++i)
 	{
 		double derivative = along0 + t * along1, second = along1;
-		m_law.addDerivatives(input, m_alongStart, m_along, t, derivative, second);
+		m_law.addDerivatives(input, m_along, t, derivative, second);
 		(derivative > 0 ? high : low) = t;
 		const double next = t - derivative / second;
 		if (fabs(next - t) <= LENGTH_STEP)
@@ -263,35 +244,80 @@ double System::exactLength(const SystemInput& input)
 	return t;
 }
 
-bool System::search(SystemInput& input)
+bool System::search(SystemInput& input, Effort effort)
 {
 	const auto tighten = [&](int loop)
 	{
 		const AugmentedContacts::Progress progress =
 			m_contacts.tighten(input, m_law, loop, m_settings.m_contactTolerance);
-		m_matrixIsCurrent &= !progress.m_hasChangedMatrix;
+		if (progress.m_hasChangedMatrix)
+			forgetMatrix();
 		return progress.m_isOpen;
 	};
-	const bool hasContacts = m_contacts.begin(input, m_law);
-	bool solved = guess(input) && newton(input);
-	bool open = hasContacts && tighten(1);
-	for (int loop = 0; solved && open && loop < m_settings.m_maxContactLoops; ++loop)
+	m_contacts.begin(input, m_law);
+	m_interiorHasSolved = m_hasSearched = false;
+	bool solved = findMinimum(input, effort);
+	bool open = effort != ROUGH && m_contacts.isAny() && tighten(1);
+	// The interior point method has no need of them: its contacts are hard.
+	for (int loop = 0; solved && open && !m_interiorHasSolved && !isSpent() && loop < m_settings.m_maxContactLoops;
+		 ++loop)
 	{
 		++m_statistics.m_contactLoops;
 		// The contacts' targets have changed, so the solution changes even if no bound does.
-		solved = guess(input) && newton(input);
+		solved = findMinimum(input, effort);
 		open = tighten(loop + 2);
 	}
 	m_statistics.m_looseContacts += open;
-	for (double v : m_velocity)
-		solved = solved && fabs(v) < FASTEST;
-	return solved;
+	if (!solved && effort == PLAIN)
+		return false;
+	if (!solved && effort == EXACT)
+	{
+		++m_statistics.m_cutSearches;
+		evaluate(input);
+		settle(input, m_law.getImpulses());
+	}
+	for (const double v : m_velocity)
+		if (!(fabs(v) < FASTEST))
+		{
+			++m_statistics.m_fallbacks;
+			const size_t numRows = input.m_rows.size();
+			setResult({std::vector<double>(m_velocity.size(), 0.), std::vector<double>(numRows, 0.),
+					   std::vector<signed char>(numRows, 0)});
+			return false;
+		}
+	return true;
 }
 
-bool System::solveAgain(SystemInput& input)
+/// Gives impulses that are no solution what they lack. Within their bounds they within their bounds gain no energy as long as
+///     1/2 lambda^T (A + C) lambda <= b^T lambda,
+/// since this is what the bodies and springs have less after the step. Scaled by a factor below 1 impulses stay within bounds that
+/// contain zero. The velocities follow from the impulses, and momentum is kept; which rows flow follows from the velocities.
+void System::settle(const SystemInput& input, std::vector<double> impulses)
 {
-	m_matrixIsCurrent = false;
-	return search(input);
+	double gain = 0, cost = 0;
+	m_contacts.addWork(input, impulses, gain, cost);
+	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
+	addImpulses(input, impulses.data(), m_velocity);
+	m_work = m_velocity;
+	divideByMass(input, m_velocity);
+	for (size_t i = 0; i < m_work.size(); ++i)
+		cost += m_work[i] * m_velocity[i];
+	const double share = cost > gain ? std::max(gain, 0.) / cost : 1;
+	for (double& v : m_velocity)
+		v *= share;
+	for (double& impulse : impulses)
+		impulse *= share;
+	evaluate(input);
+	SystemResult result = getResult();
+	result.m_impulses = impulses;
+	setResult(result);
+}
+
+bool System::solveAgain(SystemInput& input, Effort effort)
+{
+	if (m_contacts.hasHardened())
+		forgetMatrix();
+	return search(input, effort);
 }
 
 SystemResult System::getResult() const
@@ -306,18 +332,21 @@ void System::setResult(const SystemResult& result)
 {
 	m_velocity = result.m_velocity;
 	m_law.setResult(result.m_impulses, result.m_bounds);
+	m_matrixIsCurrent = false;
 }
 
-bool System::solve(SystemInput& input, int& islandId)
+bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolutions)
 {
 	++m_statistics.m_islands;
 	m_statistics.m_rows += input.getNumRows();
-	m_matrix.begin(input, islandId);
+	m_matrix.begin(input, islandId, numSolutions);
 	islandId = m_linearSolver.getIslandId();
 	m_matrixIsCurrent = false;
 	m_law.begin(input);
+	m_isHard = false;
+	m_workEnd = m_statistics.m_work + m_settings.m_maxWork;
 	m_velocity.assign(6 * size_t(input.getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());
-	return search(input);
+	return search(input, effort);
 }
 }  // namespace btElasticPlastic

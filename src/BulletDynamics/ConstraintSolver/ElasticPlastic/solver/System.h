@@ -9,6 +9,7 @@
 #include "../../btElasticPlasticSolverSettings.h"
 #include "AugmentedContacts.h"
 #include "BoxLaw.h"
+#include "InteriorPoint.h"
 #include "SystemInput.h"
 #include "SystemMatrix.h"
 
@@ -35,15 +36,25 @@ struct SystemResult
 /// whose Hessian is H = M + sum J^T (d lambda / du) J: symmetric positive definite, one 6x6 block per body and per pair of
 /// joined bodies. Semismooth Newton with a line search, begun at the solution for the last step's set of bounded rows
 /// (begun with none it would have to find that set step by step), ends after 1 to 3 factorisations where few rows reach or
-/// leave a bound in a step, and after some dozens where hundreds do. Loops around it make contacts hard, see
-/// AugmentedContacts.
+/// leave a bound in a step. Where hundreds do, its steps become short: then InteriorPoint comes close to the solution, and Newton's
+/// method ends the search from there. Loops around it make contacts hard, see AugmentedContacts.
+///
+/// A search that is cut gives impulses within their bounds all the same, see settle().
 class System
 {
 public:
 	explicit System(btElasticPlasticStatistics& statistics)
-		: m_statistics(statistics), m_linearSolver(statistics), m_matrix(m_linearSolver)
+		: m_statistics(statistics), m_linearSolver(statistics), m_matrix(m_linearSolver), m_interior(statistics)
 	{
 	}
+
+	/// How exactly a problem is solved.
+	enum Effort
+	{
+		ROUGH,  ///< a few Newton steps, or two digits by the interior point method: between sweeps of contacts
+		PLAIN,  ///< by Newton's method alone; gives up where its steps become short
+		EXACT
+	};
 
 	void setSettings(const btElasticPlasticSolverSettings& settings);
 
@@ -52,11 +63,22 @@ public:
 
 	/// Solves a problem. The targets, compliances and bounds of contacts' rows in the input are changed.
 	/// \param islandId  the id that the last solution of the same island has left here, 0: none; gets the id for the next one
-	/// \return false if the search does not converge: then the result means nothing
-	bool solve(SystemInput& input, int& islandId);
+	/// \param numSolutions  about how often solveAgain() will follow, this one included
+	/// \return false if the solution is not a number: then nothing changes, and no row has an impulse
+	bool solve(SystemInput& input, int& islandId, Effort effort, int numSolutions = 1);
 
 	/// Solves the last problem again with other targets and bounds, from its solution on.
-	bool solveAgain(SystemInput& input);
+	/// \return as solve(); false, too, if the effort was PLAIN and it was given up: then the result means nothing
+	bool solveAgain(SystemInput& input, Effort effort);
+
+	/// Whether the problem's work is spent, so that what follows is cut.
+	bool hasWorkLeft() const { return !isSpent(); }
+
+	/// Whether the last problem's solution took the interior point method.
+	bool isHard() const { return m_isHard; }
+
+	/// Whether the last solution took any Newton step.
+	bool hasSearched() const { return m_hasSearched; }
 
 	SystemResult getResult() const;
 	void setResult(const SystemResult& result);
@@ -72,10 +94,17 @@ public:
 	const signed char* getBounds(int row) const { return m_law.getBounds(row); }
 
 private:
-	bool search(SystemInput& input);
+	bool search(SystemInput& input, Effort effort);
 	bool guess(const SystemInput& input);
-	bool newton(const SystemInput& input);
+	bool findMinimum(SystemInput& input, Effort effort);
+	bool newton(const SystemInput& input, bool isGuess, int maxSteps);
+	void settle(const SystemInput& input, std::vector<double> impulses);
 	void evaluate(const SystemInput& input);
+	void forgetMatrix();
+	bool isSpent(long long nextWork = 1) const
+	{
+		return m_settings.m_maxWork > 0 && m_statistics.m_work + nextWork > m_workEnd;
+	}
 	double findResidual(const SystemInput& input);
 	bool solveLinear(const SystemInput& input, std::vector<double>& x);
 	void move(double length);
@@ -87,7 +116,10 @@ private:
 	SystemMatrix m_matrix;
 	BoxLaw m_law;
 	AugmentedContacts m_contacts;
-	double m_phiTerms = 0;           // sum of the absolute values of phi's terms
+	InteriorPoint m_interior;
+	double m_phiTerms = 0;    // sum of the absolute values of phi's terms
+	long long m_workEnd = 0;  // of the statistics' count, at which this island's is spent
+	bool m_interiorHasSolved = false, m_isHard = false, m_hasSearched = false;
 	bool m_boundsChanged = false;    // by the last evaluate()
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
 	std::vector<double> m_velocity;  // dv

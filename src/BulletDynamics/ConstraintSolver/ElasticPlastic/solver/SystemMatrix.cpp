@@ -9,7 +9,7 @@
 
 namespace btElasticPlastic
 {
-void SystemMatrix::begin(const SystemInput& input, int islandId)
+void SystemMatrix::begin(const SystemInput& input, int islandId, int numSolutions)
 {
 	m_edges.clear();
 	m_unitEdge.clear();
@@ -18,7 +18,7 @@ void SystemMatrix::begin(const SystemInput& input, int islandId)
 		m_unitEdge.push_back(addEdge(unit.m_body));
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
 		m_singleRowEdge.push_back(addEdge(row.m_body));
-	m_solver.begin(input.getNumBodies(), m_edges, islandId);
+	m_solver.begin(input.getNumBodies(), m_edges, islandId, numSolutions);
 }
 
 /// Rows between the same bodies that follow each other have one edge.
@@ -34,6 +34,17 @@ int SystemMatrix::addEdge(const int body[2])
 
 void SystemMatrix::assemble(const SystemInput& input, BoxLaw& law)
 {
+	add(input, law);
+	m_changedBodies.clear();
+	for (const SystemInput::Unit& unit : input.m_units)
+		noteChange(unit.m_body, law.noteTangent(unit.m_firstRow, unit.m_numRows));
+	for (const SystemInput::SingleRow& row : input.m_singleRows)
+		noteChange(row.m_body, law.noteTangent(row.m_row, 1));
+	m_solver.setAssembled(m_changedBodies);
+}
+
+void SystemMatrix::addMasses(const SystemInput& input)
+{
 	BlockMatrix& matrix = m_solver.getMatrix();
 	matrix.setZero();
 	for (int b = 0; b < input.getNumBodies(); ++b)
@@ -45,24 +56,6 @@ void SystemMatrix::assemble(const SystemInput& input, BoxLaw& law)
 			memcpy(block + 6 * (3 + i) + 3, &input.m_bodies[b].m_inertia[3 * i], 3 * sizeof(double));
 		}
 	}
-	m_changedBodies.clear();
-	for (size_t i = 0; i < input.m_units.size(); ++i)
-	{
-		const SystemInput::Unit& unit = input.m_units[i];
-		addUnit(unit, m_unitEdge[i], input, law);
-		noteChange(unit.m_body, law.noteTangent(unit.m_firstRow, unit.m_numRows));
-	}
-	for (size_t i = 0; i < input.m_singleRows.size(); ++i)
-	{
-		const SystemInput::SingleRow& row = input.m_singleRows[i];
-		if (const double tangent = law.getTangent(input, row.m_row))
-			addProduct(row, row, m_singleRowEdge[i], tangent);
-		if (const double beside = law.getTangentWithPartner(input, row.m_row))
-			addProduct(row, input.m_singleRows[i + size_t(input.m_rows[row.m_row].m_partner - row.m_row)],
-					   m_singleRowEdge[i], beside);
-		noteChange(row.m_body, law.noteTangent(row.m_row, 1));
-	}
-	m_solver.setAssembled(m_changedBodies);
 }
 
 void SystemMatrix::noteChange(const int body[2], bool hasChanged)
@@ -116,10 +109,9 @@ void addMixed(const SystemInput::Unit& unit, const double mixed[9], int row, int
 ///     [ X S   X S X^T + U   ]   on a body, and minus [ S, S XB^T; XA S, XA S XB^T + U ] between the two.
 /// Where shear and bending are coupled by the tangent L, that adds [ 0, L; L^T, X L + L^T X^T ], likewise minus
 /// [ 0, L; L^T, XA L + L^T XB^T ].
-void SystemMatrix::addUnit(const SystemInput::Unit& unit, int edge, const SystemInput& input, const BoxLaw& law)
+void SystemMatrix::addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9],
+						   const double* mixed)
 {
-	double linear[9] = {}, angular[9] = {}, mixed[9] = {};
-	const bool isMixed = law.addTangent(input, unit, linear, angular, mixed);
 	// X S of both bodies; as S is symmetric, S X^T is its mirror image, and X S X^T the product of X with that.
 	double moment[2][9], mirrored[2][9];
 	for (int side = 0; side < 2; ++side)
@@ -143,7 +135,7 @@ void SystemMatrix::addUnit(const SystemInput::Unit& unit, int edge, const System
 			p.m_topRight[i] = sign * mirrored[column][i];
 			p.m_bottomRight[i] = sign * (p.m_bottomRight[i] + angular[i]);
 		}
-		if (isMixed)
+		if (mixed)
 			addMixed(unit, mixed, row, column, sign, p);
 		return p;
 	};

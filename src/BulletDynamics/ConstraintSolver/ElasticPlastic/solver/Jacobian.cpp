@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "Jacobian.h"
+
+#include "../linear/Vector3.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+const double AT_REST[6] = {};
+
+inline void addScaled(double factor, const double* a, double* to)
+{
+	for (int i = 0; i < 3; ++i)
+		to[i] += factor * a[i];
+}
+
+}  // namespace
+
+void project(const SystemInput& input, const std::vector<double>& velocity, std::vector<double>& along)
+{
+	along.resize(input.m_rows.size());
+	const auto of = [&velocity](int body) { return body >= 0 ? &velocity[6 * size_t(body)] : AT_REST; };
+	for (const SystemInput::Unit& unit : input.m_units)
+	{
+		const double *a = of(unit.m_body[0]), *b = of(unit.m_body[1]);
+		double turnA[3], turnB[3], relative[2][3];
+		cross(a + 3, unit.m_arm[0], turnA);
+		cross(b + 3, unit.m_arm[1], turnB);
+		for (int i = 0; i < 3; ++i)
+		{
+			relative[0][i] = a[i] + turnA[i] - b[i] - turnB[i];
+			relative[1][i] = a[3 + i] - b[3 + i];
+		}
+		double* to = &along[unit.m_firstRow];
+		for (int r = 0; r < unit.m_numRows; ++r)
+		{
+			const int dof = unit.m_dof[r];
+			to[r] = dof < 3 ? dot(unit.m_axis[dof], relative[0]) : dot(unit.m_axis[dof - 3], relative[1]);
+		}
+	}
+	for (const SystemInput::SingleRow& row : input.m_singleRows)
+	{
+		const double *a = of(row.m_body[0]), *b = of(row.m_body[1]);
+		along[row.m_row] = dot(row.m_J, a) + dot(row.m_J + 3, a + 3) + dot(row.m_J + 6, b) + dot(row.m_J + 9, b + 3);
+	}
+}
+
+void addImpulses(const SystemInput& input, const double* impulses, std::vector<double>& momentum)
+{
+	double onGround[6] = {};
+	const auto of = [&](int body) { return body >= 0 ? &momentum[6 * size_t(body)] : onGround; };
+	for (const SystemInput::Unit& unit : input.m_units)
+	{
+		double sum[2][3] = {}, moment[3];
+		for (int r = 0; r < unit.m_numRows; ++r)
+		{
+			const int dof = unit.m_dof[r];
+			addScaled(impulses[unit.m_firstRow + r], unit.m_axis[dof % 3], sum[dof / 3]);
+		}
+		for (int side = 0; side < 2; ++side)
+		{
+			double* to = of(unit.m_body[side]);
+			const double sign = side == 0 ? 1 : -1;
+			cross(unit.m_arm[side], sum[0], moment);
+			addScaled(sign, sum[0], to);
+			addScaled(sign, moment, to + 3);
+			addScaled(sign, sum[1], to + 3);
+		}
+	}
+	for (const SystemInput::SingleRow& row : input.m_singleRows)
+		addImpulse(row, impulses[row.m_row], momentum);
+}
+
+void addImpulse(const SystemInput::SingleRow& row, double impulse, std::vector<double>& momentum)
+{
+	for (int side = 0; side < 2; ++side)
+	{
+		if (row.m_body[side] < 0)
+			continue;
+		double* const to = &momentum[6 * size_t(row.m_body[side])];
+		addScaled(impulse, row.m_J + 6 * side, to);
+		addScaled(impulse, row.m_J + 6 * side + 3, to + 3);
+	}
+}
+
+void multiplyMass(const SystemInput& input, const std::vector<double>& x, std::vector<double>& y)
+{
+	for (size_t b = 0; b < input.m_bodies.size(); ++b)
+		for (int i = 0; i < 3; ++i)
+		{
+			y[6 * b + i] = input.m_bodies[b].m_mass[i] * x[6 * b + i];
+			y[6 * b + 3 + i] = dot(&input.m_bodies[b].m_inertia[3 * i], &x[6 * b + 3]);
+		}
+}
+
+void divideByMass(const SystemInput& input, std::vector<double>& x)
+{
+	for (size_t b = 0; b < input.m_bodies.size(); ++b)
+	{
+		const SystemInput::Body& body = input.m_bodies[b];
+		double* const v = &x[6 * b];
+		for (int i = 0; i < 3; ++i)
+			v[i] /= body.m_mass[i];
+		// The columns of the symmetric inertia, and the inverse by their cross products.
+		const double *const c0 = body.m_inertia, *const c1 = c0 + 3, *const c2 = c0 + 6;
+		double across[3][3], turned[3] = {};
+		cross(c1, c2, across[0]);
+		cross(c2, c0, across[1]);
+		cross(c0, c1, across[2]);
+		const double determinant = dot(c0, across[0]);
+		for (int i = 0; i < 3; ++i)
+			turned[i] = dot(across[i], v + 3) / determinant;
+		for (int i = 0; i < 3; ++i)
+			v[3 + i] = turned[i];
+	}
+}
+}  // namespace btElasticPlastic

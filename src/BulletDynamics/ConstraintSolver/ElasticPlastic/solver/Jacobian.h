@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_JACOBIAN_H
+#define BT_ELASTIC_PLASTIC_JACOBIAN_H
+
+#include <vector>
+
+#include "SystemInput.h"
+
+namespace btElasticPlastic
+{
+// Products with the Jacobian J and the mass M of a SystemInput. Velocities and momenta have 6 doubles by body, impulses one by
+// row.
+
+/// along = J v of all rows.
+void project(const SystemInput& input, const std::vector<double>& velocity, std::vector<double>& along);
+
+/// momentum += sum J^T lambda.
+void addImpulses(const SystemInput& input, const double* impulses, std::vector<double>& momentum);
+
+/// momentum += J^T lambda of one row.
+void addImpulse(const SystemInput::SingleRow& row, double impulse, std::vector<double>& momentum);
+
+/// y = M x
+void multiplyMass(const SystemInput& input, const std::vector<double>& x, std::vector<double>& y);
+
+/// x = M^-1 x
+void divideByMass(const SystemInput& input, std::vector<double>& x);
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_JACOBIAN_H
