@@ -11,12 +11,24 @@ namespace btElasticPlastic
 btTransform JointModel::frameA() const { return bodyA().getCenterOfMassTransform() * m_frameInA; }
 btTransform JointModel::frameB() const { return bodyB().getCenterOfMassTransform() * m_frameInB; }
 
+/// Whether the joint's x axis points from body A to body B. What does not move may have its centre anywhere.
+bool JointModel::pointsTowardsB(const Kinematics& k) const
+{
+	const btScalar a = bodyA().getInvMass() > 0 ? k.m_rA.dot(k.m_axis[0]) : btScalar(0),
+				   b = bodyB().getInvMass() > 0 ? k.m_rB.dot(k.m_axis[0]) : btScalar(0);
+	return a >= b;
+}
+
 void JointModel::measure(Kinematics& kinematics) const
 {
 	kinematics.evaluate(bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB,
 						m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
-	kinematics.bow(isElasticPlastic(BT_EP_BENDING_Y) ? m_capacity.m_length : btScalar(0),
-				   isElasticPlastic(BT_EP_BENDING_Z) ? m_capacity.m_length : btScalar(0));
+	if (m_capacity.m_length > 0)
+	{
+		const btScalar length = pointsTowardsB(kinematics) ? m_capacity.m_length : -m_capacity.m_length;
+		kinematics.bow(isElasticPlastic(BT_EP_BENDING_Y) ? length : btScalar(0),
+					   isElasticPlastic(BT_EP_BENDING_Z) ? length : btScalar(0));
+	}
 }
 
 RelativeRotation JointModel::relativeRotation() const

@@ -90,6 +90,7 @@ struct JointModel
 
 private:
 	RelativeRotation relativeRotation() const;
+	bool pointsTowardsB(const Kinematics& k) const;
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
 	void keepForce(const btElasticPlasticCapacity& before);
