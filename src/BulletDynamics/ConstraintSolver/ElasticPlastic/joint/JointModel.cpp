@@ -11,10 +11,24 @@ namespace btElasticPlastic
 btTransform JointModel::frameA() const { return bodyA().getCenterOfMassTransform() * m_frameInA; }
 btTransform JointModel::frameB() const { return bodyB().getCenterOfMassTransform() * m_frameInB; }
 
+/// Whether the joint's x axis points from body A to body B. What does not move may have its centre anywhere.
+bool JointModel::pointsTowardsB(const Kinematics& k) const
+{
+	const btScalar a = bodyA().getInvMass() > 0 ? k.m_rA.dot(k.m_axis[0]) : btScalar(0),
+				   b = bodyB().getInvMass() > 0 ? k.m_rB.dot(k.m_axis[0]) : btScalar(0);
+	return a >= b;
+}
+
 void JointModel::measure(Kinematics& kinematics) const
 {
 	kinematics.evaluate(bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB,
 						m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	if (m_capacity.m_length > 0)
+	{
+		const btScalar length = pointsTowardsB(kinematics) ? m_capacity.m_length : -m_capacity.m_length;
+		kinematics.bow(isElasticPlastic(BT_EP_BENDING_Y) ? length : btScalar(0),
+					   isElasticPlastic(BT_EP_BENDING_Z) ? length : btScalar(0));
+	}
 }
 
 RelativeRotation JointModel::relativeRotation() const
@@ -156,10 +170,12 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 	{
 		const bool isSpring = m_capacity.isElasticPlastic(i) && !m_capacity.isRigidPlastic(i);
 		const bool wasSpring = before.isElasticPlastic(i) && !before.isRigidPlastic(i);
-		if (!isSpring || !wasSpring || m_capacity.m_stiffness[i] == before.m_stiffness[i])
+		const bool isTheSame = m_capacity.m_stiffness[i] == before.m_stiffness[i] &&
+							   m_capacity.couplingCompliance(i) == before.couplingCompliance(i);
+		if (!isSpring || !wasSpring || isTheSame)
 			continue;
 		// A force beyond a lower yield value flows off in the next step.
-		change[i] = m_state.m_force[i] / before.m_stiffness[i] - m_state.m_force[i] / m_capacity.m_stiffness[i];
+		change[i] = elasticDeformation(before, i) - elasticDeformation(i);
 		m_state.m_forceRate[i] = 0;
 	}
 	moveReference(change);

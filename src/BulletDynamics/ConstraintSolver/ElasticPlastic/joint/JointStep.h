@@ -19,6 +19,8 @@ struct JointRows
 		btScalar m_diagonal;  ///< A = J M^-1 J^T
 		SoftRow m_soft;
 		signed char m_bound;  ///< where the row ended in the last direct solution (-1, 0, 1): a first guess
+		int m_partner;        ///< the row with which it is coupled, -1: none
+		btScalar m_coupling;  ///< compliance between the two
 	};
 
 	Kinematics m_kinematics;  ///< gives the Jacobians
@@ -122,6 +124,7 @@ private:
 		int m_dof : 8;
 		bool m_isBoundKnown;
 		bool m_isForStock;
+		signed char m_partner;  ///< the row with which it is coupled in this step, -1: none
 	};
 
 	/// Motion of places beside velocities, by row.
@@ -135,6 +138,8 @@ private:
 	void withholdDrift();
 	DofState dofState(int dof) const;
 	PaperLaw paperLaw(int dof) const;
+	void couple(JointRows& rows);
+	RowOutcome outcomeOf(int r) const;
 	ReturnMapping returnMap(int r) const;
 	void takeBackKinematicMotion();
 

@@ -16,26 +16,6 @@ const int LEAST_OUTSIDE = 3;
 /// Rings end when they have added so many bodies: in a solid a few of them hold as many as many do in a wall.
 const int ENOUGH = 80;
 
-/// The tangents of rows that are linear, for SystemMatrix.
-struct LinearTangents
-{
-	const std::vector<double>& m_tangent;
-
-	void addTangent(const SystemInput&, const SystemInput::Unit& unit, double linear[9], double angular[9]) const
-	{
-		for (int r = 0; r < unit.m_numRows; ++r)
-		{
-			const double* const a = unit.m_axis[unit.m_dof[r] % 3];
-			double* const to = unit.m_dof[r] < 3 ? linear : angular;
-			const double weight = m_tangent[size_t(unit.m_firstRow + r)];
-			for (int c = 0; c < 3; ++c)
-				for (int k = 0; k < 3; ++k)
-					to[3 * c + k] += weight * a[c] * a[k];
-		}
-	}
-	double getTangent(const SystemInput&, int row) const { return m_tangent[size_t(row)]; }
-};
-
 /// Calls f with the two bodies of each unit and single row.
 template <class F>
 void forEachPair(const SystemInput& input, F f)
@@ -197,30 +177,34 @@ void Condensation::split(const SystemInput& input)
 	}
 }
 
-/// Rows outside: their tangents, and their impulses at dv = 0.
-void Condensation::fillTargets(const SystemInput& input, const BoxLaw& law)
+/// Takes the rows' terms, and the bounds at which those outside stay.
+void Condensation::fillRows(const SystemInput& input, const BoxLaw& law)
 {
-	for (size_t i = 0; i < m_rows.size(); ++i)
+	const auto fill = [&](const std::vector<int>& rows, SystemInput& to)
 	{
-		m_input.m_rows[i] = input.m_rows[size_t(m_rows[i])];
-		m_input.m_guess[i] = {law.getImpulse(m_rows[i]), *law.getBounds(m_rows[i])};
-	}
-	m_tangent.resize(m_outerRows.size());
-	m_held.resize(m_outerRows.size());
-	for (size_t i = 0; i < m_outerRows.size(); ++i)
-	{
-		const SystemInput::Bounded& row = input.m_rows[size_t(m_outerRows[i])];
-		const signed char bound = *law.getBounds(m_outerRows[i]);
-		m_tangent[i] = bound == 0 ? 1 / row.m_compliance : 0;
-		m_held[i] = bound == 0 ? row.m_target / row.m_compliance : bound > 0 ? row.m_upper : row.m_lower;
-	}
+		for (size_t i = 0; i < rows.size(); ++i)
+			m_place[size_t(rows[i])] = int(i);
+		for (size_t i = 0; i < rows.size(); ++i)
+		{
+			to.m_rows[i] = input.m_rows[size_t(rows[i])];
+			// A row's partner is of the same unit or of the same bodies, so it is on the same side.
+			if (to.m_rows[i].m_partner >= 0)
+				to.m_rows[i].m_partner = m_place[size_t(to.m_rows[i].m_partner)];
+			to.m_guess[i] = {law.getImpulse(rows[i]), *law.getBounds(rows[i])};
+		}
+	};
+	m_place.resize(input.m_rows.size());
+	fill(m_rows, m_input);
+	fill(m_outerRows, m_outer);
+	m_outerLaw.begin(m_outer);
+	m_outerLaw.holdBounds(m_outer);
 }
 
 /// What the rows outside give to the border.
 bool Condensation::findMomentum()
 {
 	m_momentum.assign(6 * m_outer.m_bodies.size(), 0.);
-	addImpulses(m_outer, m_held.data(), m_momentum);
+	addImpulses(m_outer, m_outerLaw.getImpulses(0), m_momentum);
 	m_still = m_momentum;
 	if (!m_linearSolver.solve(m_still))
 		return false;
@@ -238,9 +222,9 @@ bool Condensation::findMomentum()
 bool Condensation::condense(const SystemInput& input, const BoxLaw& law)
 {
 	split(input);
-	fillTargets(input, law);
+	fillRows(input, law);
 	m_matrix.begin(m_outer, 0, 1, int(m_input.m_condensed.m_bodies.size()));
-	m_matrix.assembleAnew(m_outer, LinearTangents{m_tangent});
+	m_matrix.assembleAnew(m_outer, m_outerLaw);
 	std::vector<double> nothing(6 * m_outer.m_bodies.size(), 0.);
 	if (!m_linearSolver.solve(nothing))
 		return false;
@@ -250,7 +234,7 @@ bool Condensation::condense(const SystemInput& input, const BoxLaw& law)
 
 bool Condensation::condenseAgain(const SystemInput& input, const BoxLaw& law)
 {
-	fillTargets(input, law);
+	fillRows(input, law);
 	return findMomentum();
 }
 

@@ -56,13 +56,21 @@ public:
 
 	/// Of the whole problem, by row of the problem inside.
 	const std::vector<int>& getRows() const { return m_rows; }
+	/// The terms of a row inside as the whole problem has them.
+	SystemInput::Bounded getTerms(int rowInside) const
+	{
+		SystemInput::Bounded terms = m_input.m_rows[size_t(rowInside)];
+		if (terms.m_partner >= 0)
+			terms.m_partner = m_rows[size_t(terms.m_partner)];
+		return terms;
+	}
 	/// Of the whole problem.
 	bool isRowInside(int row) const { return m_isRowInside[size_t(row)] != 0; }
 
 private:
 	bool isWorthIt(const SystemInput& input) const;
 	void split(const SystemInput& input);
-	void fillTargets(const SystemInput& input, const BoxLaw& law);
+	void fillRows(const SystemInput& input, const BoxLaw& law);
 	bool findMomentum();
 	void addRings(std::vector<int> bodies, int rings);
 
@@ -76,8 +84,8 @@ private:
 	std::vector<int> m_rows, m_outerRows;      // the same by row
 	std::vector<char> m_isRowInside;
 	std::vector<int> m_innerIndex, m_outerIndex;  // by body of the whole problem, -1: none
-	std::vector<double> m_tangent;                // by row of m_outer
-	std::vector<double> m_held;                   // impulses of these rows at dv = 0
+	std::vector<int> m_place;                     // by row of the whole problem: its row inside, or outside
+	BoxLaw m_outerLaw;                            // with the bounds at which rows outside stay
 	std::vector<double> m_still;                  // by body of m_outer: their motion if nothing inside did anything
 	std::vector<double> m_momentum, m_motion;
 	// Bodies' neighbours.

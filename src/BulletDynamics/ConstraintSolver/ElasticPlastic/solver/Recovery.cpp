@@ -64,8 +64,10 @@ void Recovery::makeLinear(SystemInput& input, SystemResult& start) const
 		for (size_t r = size_t(unit.m_firstRow); r < size_t(unit.m_firstRow + unit.m_numRows); ++r)
 		{
 			SystemInput::Bounded& row = input.m_rows[r];
-			if (start.m_bounds[r] != 0)
-				row.m_target = along[r] + row.m_compliance * m_first.m_impulses[r];
+			// As if the row had come to its impulse without a bound.
+			row.m_target = along[r] + row.m_compliance * m_first.m_impulses[r];
+			if (row.m_partner >= 0)
+				row.m_target += row.m_coupling * m_first.m_impulses[size_t(row.m_partner)];
 			row.m_lower = -UNBOUNDED;
 			row.m_upper = UNBOUNDED;
 			start.m_bounds[r] = 0;

@@ -478,7 +478,7 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 		if (bodies.empty())
 		{
 			for (size_t i = 0; i < rows.size(); ++i)
-				input.m_rows[size_t(rows[i])] = condensation.getInput().m_rows[i];
+				input.m_rows[size_t(rows[i])] = condensation.getTerms(int(i));
 			m_insideHasSolved = true;
 			m_isHard = inside.m_isHard;
 			m_hasSearched = inside.m_hasSearched;

@@ -29,6 +29,10 @@ struct SystemInput
 		double m_compliance;  ///< C > 0
 		double m_lower;
 		double m_upper;
+		/// A row whose impulse adds to what this one asks for, J dv + C lambda + coupling lambda_partner = b, and the other way round;
+		/// -1: none. The compliance of both together is positive definite. Both are of one unit, or single rows of the same bodies.
+		int m_partner = -1;
+		double m_coupling = 0;
 	};
 
 	/// The impulse and bound of a row with which the search begins.

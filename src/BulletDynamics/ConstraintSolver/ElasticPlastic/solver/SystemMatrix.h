@@ -25,7 +25,7 @@ public:
 	void assemble(const SystemInput& input, BoxLaw& law);
 
 	/// Computes H for tangents that have nothing to do with the last ones.
-	/// \param tangents  with addTangent() and getTangent() of BoxLaw
+	/// \param tangents  with addTangent(), getTangent() and getTangentWithPartner() of BoxLaw
 	template <class Tangents>
 	void assembleAnew(const SystemInput& input, const Tangents& tangents)
 	{
@@ -39,8 +39,10 @@ private:
 	void add(const SystemInput& input, const Tangents& tangents);
 	void addMasses(const SystemInput& input);
 	void addCondensed(const SystemInput::Condensed& condensed);
-	void addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9]);
-	void addSingleRow(const SystemInput::SingleRow& row, int edge, double tangent);
+	/// \param mixed  of shear and bending, null: none
+	void addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9],
+				 const double* mixed);
+	void addProduct(const SystemInput::SingleRow& a, const SystemInput::SingleRow& b, int edge, double tangent);
 	void noteChange(const int body[2], bool hasChanged);
 
 	LinearSolver& m_solver;
@@ -58,13 +60,19 @@ void SystemMatrix::add(const SystemInput& input, const Tangents& tangents)
 	addCondensed(input.m_condensed);
 	for (size_t i = 0; i < input.m_units.size(); ++i)
 	{
-		double linear[9] = {}, angular[9] = {};
-		tangents.addTangent(input, input.m_units[i], linear, angular);
-		addUnit(input.m_units[i], m_unitEdge[i], linear, angular);
+		double linear[9] = {}, angular[9] = {}, mixed[9] = {};
+		const bool isMixed = tangents.addTangent(input, input.m_units[i], linear, angular, mixed);
+		addUnit(input.m_units[i], m_unitEdge[i], linear, angular, isMixed ? mixed : nullptr);
 	}
 	for (size_t i = 0; i < input.m_singleRows.size(); ++i)
-		if (const double tangent = tangents.getTangent(input, input.m_singleRows[i].m_row))
-			addSingleRow(input.m_singleRows[i], m_singleRowEdge[i], tangent);
+	{
+		const SystemInput::SingleRow& row = input.m_singleRows[i];
+		if (const double tangent = tangents.getTangent(input, row.m_row))
+			addProduct(row, row, m_singleRowEdge[i], tangent);
+		if (const double beside = tangents.getTangentWithPartner(input, row.m_row))
+			addProduct(row, input.m_singleRows[i + size_t(input.m_rows[size_t(row.m_row)].m_partner - row.m_row)],
+					   m_singleRowEdge[i], beside);
+	}
 }
 }  // namespace btElasticPlastic
 
