@@ -6,8 +6,8 @@
 #include "../../btElasticPlasticJoint.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 #include "LinearMath/btHashMap.h"
+#include "../Prefetch.h"
 #include "JointWorks.h"
-#include "Prefetch.h"
 
 namespace btElasticPlastic
 {
@@ -32,9 +32,6 @@ bool joins(const btTypedConstraint& constraint, const btRigidBody& body)
 {
 	return &constraint.getRigidBodyA() == &body || &constraint.getRigidBodyB() == &body;
 }
-
-/// With more joints than this their data no longer fits the second level of a processor's cache.
-const int MANY_JOINTS = 500;
 }  // namespace
 
 JointRegistry::~JointRegistry()
@@ -64,11 +61,10 @@ JointWorks& JointRegistry::getJoint(int index)
 
 bool JointRegistry::add(JointWorks& joint)
 {
-	joint.setFault(joint.m_model.findFault());
-	if (!joint.m_model.m_fault)
-		joint.setFault(joint.m_model.findMissingWorld());
+	const btElasticPlasticFault fault = joint.m_model.findFault(), missingWorld = joint.m_model.findMissingWorld();
+	joint.setFault(fault ? fault : missingWorld);
 	// Bullet's search for islands crashes on a constraint one of whose bodies has never been in the world.
-	joint.setOutOfIslands(bool(joint.m_model.findMissingWorld()));
+	joint.setOutOfIslands(bool(missingWorld));
 	joint.forgetUncommitted();
 	joint.m_step.revert();
 	if (joint.m_model.m_fault)

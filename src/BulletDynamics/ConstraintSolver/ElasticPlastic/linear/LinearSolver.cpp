@@ -42,7 +42,8 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 	for (auto i = range.first; i != range.second; ++i)
 	{
 		Plan& plan = *i->second;
-		if ((plan.m_islandId == 0 || plan.m_islandId == islandId) && plan.m_numBodies == numBodies && plan.m_edges == edges)
+		if ((plan.m_islandId == 0 || plan.m_islandId == islandId) && plan.m_numBodies == numBodies &&
+			plan.m_edges == edges)
 			m_plan = &plan;
 	}
 	if (!m_plan)
@@ -131,7 +132,7 @@ bool LinearSolver::solve(std::vector<double>& x)
 
 namespace
 {
-double dot(const std::vector<double>& x, const std::vector<double>& y)
+double scalarProduct(const std::vector<double>& x, const std::vector<double>& y)
 {
 	double sum = 0;
 	for (size_t i = 0; i < x.size(); ++i)
@@ -148,7 +149,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 	const BlockMatrix& matrix = m_plan->m_matrix;
 	const BlockFactor& factor = m_plan->m_factor;
 	const size_t n = x.size();
-	const double enough = m_settings.m_iterationTolerance * m_settings.m_iterationTolerance * dot(x, x);
+	const double enough = m_settings.m_iterationTolerance * m_settings.m_iterationTolerance * scalarProduct(x, x);
 	m_rest = x;
 	m_product.resize(n);
 	m_preconditioned = m_rest;
@@ -156,12 +157,12 @@ bool LinearSolver::iterate(std::vector<double>& x)
 	++m_statistics.m_solutions;
 	m_search = m_preconditioned;
 	m_solution.assign(n, 0.);
-	double rz = dot(m_rest, m_preconditioned), before = dot(x, x);
+	double rz = scalarProduct(m_rest, m_preconditioned), before = scalarProduct(x, x);
 	for (int i = 0; i < m_settings.m_maxIterations; ++i)
 	{
 		matrix.multiply(m_search.data(), m_product.data());
 		++m_statistics.m_iterations;
-		const double alpha = rz / dot(m_search, m_product);
+		const double alpha = rz / scalarProduct(m_search, m_product);
 		double rest = 0;
 		for (size_t k = 0; k < n; ++k)
 		{
@@ -181,7 +182,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 		m_preconditioned = m_rest;
 		factor.solve(m_preconditioned.data());
 		++m_statistics.m_solutions;
-		const double next = dot(m_rest, m_preconditioned);
+		const double next = scalarProduct(m_rest, m_preconditioned);
 		for (size_t k = 0; k < n; ++k)
 			m_search[k] = m_preconditioned[k] + next / rz * m_search[k];
 		rz = next;

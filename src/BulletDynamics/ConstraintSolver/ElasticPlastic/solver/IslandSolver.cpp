@@ -3,7 +3,7 @@
 
 #include "IslandSolver.h"
 
-#include "../joint/Prefetch.h"
+#include "../Prefetch.h"
 #include "../linear/ScopedTimer.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
@@ -23,9 +23,6 @@ void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
 			body->applyGravity();
 	}
 }
-
-/// With more joints than this their data no longer fits the second level of a processor's cache.
-const int MANY_JOINTS = 400;
 }  // namespace
 
 SolverPools IslandSolver::pools()
