@@ -34,9 +34,12 @@ struct btElasticPlasticFault
 /// True for numbers that are neither NaN nor infinite, whatever the compiler assumes of mathematics.
 inline bool btElasticPlasticIsFinite(double value)
 {
-	// Games compile with -ffast-math, which lets the compiler drop isfinite(): look at the exponent instead.
+	// Games compile with -ffast-math, which lets the compiler drop isfinite(): look at the exponent instead. Clang from version
+	// 18 on knows that, too, and takes what has been computed for finite; what is read from memory may be anything.
+	const volatile double inMemory = value;
+	const double read = inMemory;
 	unsigned long long bits;
-	memcpy(&bits, &value, sizeof bits);
+	memcpy(&bits, &read, sizeof bits);
 	const unsigned long long exponent = 0x7ff0000000000000ull;
 	return (bits & exponent) != exponent;
 }

@@ -19,6 +19,10 @@ struct btElasticPlasticStatistics
 	long long m_looseContacts = 0;  ///< islands whose contacts were not exact when their loops ended
 	long long m_fallbacks = 0;      ///< no convergence, or not a number: the iterative form has solved the island
 
+	/// Islands, with the iterative form groups of them, of which no result was finite: it was not written, so their bodies have
+	/// kept their velocities, and their joints their state.
+	long long m_notFinite = 0;
+
 	// Where the time went, of all threads together [s].
 	double m_setUpTime = 0;     ///< joints' rows
 	double m_analysisTime = 0;  ///< the graph, known or new
@@ -40,6 +44,7 @@ struct btElasticPlasticStatistics
 		m_contactLoops += s.m_contactLoops;
 		m_looseContacts += s.m_looseContacts;
 		m_fallbacks += s.m_fallbacks;
+		m_notFinite += s.m_notFinite;
 		m_setUpTime += s.m_setUpTime;
 		m_analysisTime += s.m_analysisTime;
 		m_assemblyTime += s.m_assemblyTime;

@@ -15,7 +15,6 @@ using namespace btElasticPlastic;
 
 namespace
 {
-const int MAX_LEVEL = btElasticPlasticStepControl::MAX_LEVEL;
 /// The number of successive steps that have to leave little open before the substep is doubled.
 const int CALM_STEPS = 6;
 /// Below this share of the error allowed a step has left little open: with T falling as the square of the substep, twice the

@@ -11,6 +11,29 @@ namespace btElasticPlastic
 {
 namespace
 {
+bool isFinite(const btVector3& v) { return btElasticPlasticIsFinite(double(v.x()) + double(v.y()) + double(v.z())); }
+
+/// Whether the velocities are finite that Bullet is about to write to bodies.
+bool isResultFinite(const btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i = 0; i < bodies.size(); ++i)
+	{
+		const btSolverBody& b = bodies[i];
+		if (b.m_originalBody &&
+			!(isFinite(b.m_linearVelocity + b.m_deltaLinearVelocity + b.m_externalForceImpulse) &&
+			  isFinite(b.m_angularVelocity + b.m_deltaAngularVelocity + b.m_externalTorqueImpulse) &&
+			  isFinite(b.m_pushVelocity) && isFinite(b.m_turnVelocity)))
+			return false;
+	}
+	return true;
+}
+
+void setZero(btConstraintArray& rows)
+{
+	for (int i = 0; i < rows.size(); ++i)
+		rows[i].m_appliedImpulse = rows[i].m_appliedPushImpulse = 0;
+}
+
 /// Applies gravity to bodies that Bullet has woken in this step. Bullet applies gravity first and then wakes the rest of an
 /// island, so the woken bodies would have no weight for a step, and a structure that carries its own weight would spring up.
 /// Woken bodies are those that want to sleep but have no time at rest: others with that state have been at rest for a while.
@@ -148,9 +171,31 @@ void IslandSolver::fallBack(btTypedConstraint** constraints, int numConstraints,
 		m_orderNonContactConstraintPool[i] = i;
 }
 
+/// Leaves bodies their velocities, forces from outside included, and joints their state.
+void IslandSolver::withholdResult()
+{
+	++m_statistics.m_notFinite;
+	m_direct.cancel();
+	m_iterative.cancel();
+	for (int i = 0; i < m_tmpSolverBodyPool.size(); ++i)
+	{
+		btSolverBody& body = m_tmpSolverBodyPool[i];
+		for (btVector3* change :
+			 {&body.m_deltaLinearVelocity, &body.m_deltaAngularVelocity, &body.m_externalForceImpulse,
+			  &body.m_externalTorqueImpulse, &body.m_pushVelocity, &body.m_turnVelocity})
+			change->setZero();
+	}
+	setZero(m_tmpSolverNonContactConstraintPool);
+	setZero(m_tmpSolverContactConstraintPool);
+	setZero(m_tmpSolverContactFrictionConstraintPool);
+	setZero(m_tmpSolverContactRollingFrictionConstraintPool);
+}
+
 btScalar IslandSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
 													 const btContactSolverInfo& info)
 {
+	if (!isResultFinite(m_tmpSolverBodyPool))
+		withholdResult();
 	m_iterative.finish(pools());
 	// Bullet moves places beside velocities only in this mode.
 	btContactSolverInfo finishing = info;
