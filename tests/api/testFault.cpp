@@ -19,7 +19,10 @@ TEST(Fault, SeesWhatIsNotFiniteWhateverTheCompilerAssumes)
 	const double large = atof("1e300"), infinite = large * large;
 	EXPECT_FALSE(isProductFinite(large, large));
 	EXPECT_FALSE(isProductFinite(float(atof("1e30")), float(atof("1e30"))));
-	EXPECT_FALSE(isDifferenceFinite(infinite, infinite));
+	EXPECT_FALSE(isDifferenceFinite(infinite, atof("inf")));
+	EXPECT_FALSE(btElasticPlasticIsNumber(atof("nan")));
+	EXPECT_FALSE(btElasticPlasticIsNumber(-atof("nan")));
+	EXPECT_TRUE(btElasticPlasticIsNumber(infinite) && btElasticPlasticIsNumber(-infinite));
 	EXPECT_FALSE(btElasticPlasticIsFinite(atof("nan")));
 	EXPECT_FALSE(btElasticPlasticIsFinite(atof("-inf")));
 	EXPECT_TRUE(isProductFinite(large, 1e8));

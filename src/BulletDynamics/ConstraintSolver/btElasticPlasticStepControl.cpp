@@ -91,7 +91,7 @@ int btElasticPlasticStepControl::getSubsteps() const { return 1 << m_works->m_le
 
 void btElasticPlasticStepControl::setError(double error)
 {
-	m_works->m_error = error == error ? btMax(1e-6, btMin(1., error)) : 0.01;
+	m_works->m_error = btElasticPlasticIsNumber(error) ? btMax(1e-6, btMin(1., error)) : 0.01;
 	expectBlow();
 }
 

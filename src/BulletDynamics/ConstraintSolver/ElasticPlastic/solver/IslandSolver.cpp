@@ -4,6 +4,7 @@
 #include "IslandSolver.h"
 
 #include "../Prefetch.h"
+#include "../joint/BodyGate.h"
 #include "../linear/ScopedTimer.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
@@ -11,18 +12,23 @@ namespace btElasticPlastic
 {
 namespace
 {
-bool isFinite(const btVector3& v) { return btElasticPlasticIsFinite(double(v.x()) + double(v.y()) + double(v.z())); }
+bool isVectorFinite(const btVector3& v)
+{
+	return btElasticPlasticIsFinite(double(v.x()) + double(v.y()) + double(v.z()));
+}
 
-/// Whether the velocities are finite that Bullet is about to write to bodies.
+/// Whether the velocities are finite that Bullet is about to write to bodies. Those are left out that were not finite before: the
+/// gate has kept them out of the solution.
 bool isResultFinite(const btAlignedObjectArray<btSolverBody>& bodies)
 {
 	for (int i = 0; i < bodies.size(); ++i)
 	{
 		const btSolverBody& b = bodies[i];
-		if (b.m_originalBody &&
-			!(isFinite(b.m_linearVelocity + b.m_deltaLinearVelocity + b.m_externalForceImpulse) &&
-			  isFinite(b.m_angularVelocity + b.m_deltaAngularVelocity + b.m_externalTorqueImpulse) &&
-			  isFinite(b.m_pushVelocity) && isFinite(b.m_turnVelocity)))
+		if (!b.m_originalBody || !isFinite(*b.m_originalBody))
+			continue;
+		if (!isVectorFinite(b.m_linearVelocity + b.m_deltaLinearVelocity + b.m_externalForceImpulse) ||
+			!isVectorFinite(b.m_angularVelocity + b.m_deltaAngularVelocity + b.m_externalTorqueImpulse) ||
+			!isVectorFinite(b.m_pushVelocity) || !isVectorFinite(b.m_turnVelocity))
 			return false;
 	}
 	return true;

@@ -220,7 +220,7 @@ bool System::newton(const SystemInput& input)
 		move(exactLength(input));
 		evaluate(input);
 		phi = findResidual(input);
-		if (!(phi == phi))
+		if (!btElasticPlasticIsNumber(phi))
 			return false;
 	}
 	return false;
