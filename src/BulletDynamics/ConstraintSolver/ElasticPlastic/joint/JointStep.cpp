@@ -223,6 +223,17 @@ ReturnMapping JointStep::returnMap(int r) const
 	return ImplicitLaw().returnMap(s, outcome, m_dt);
 }
 
+/// Whether the solver has made anything finite of the step: one of Bullet's own may not have.
+/// \param velocity1  J v at the end of the step, of all degrees of freedom
+/// \param spin       the same as a vector, of rotations
+bool JointStep::isOutcomeFinite(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin) const
+{
+	double sum = double(m_dampingImpulse.dot(m_spin0 + spin));
+	for (int r = 0; r < m_numRows; ++r)
+		sum += double(m_row[r].m_impulse) + double(m_row[r].m_velocity0) + double(velocity1[m_row[r].m_dof]);
+	return btElasticPlasticIsFinite(sum);
+}
+
 int JointStep::commit()
 {
 	m_numCommittedRows = m_numRows;
@@ -236,6 +247,12 @@ int JointStep::commit()
 		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
 	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {}, unloaded[BT_EP_DOF_COUNT] = {};
 	project(linear, wA - wB, velocity1);
+	if (!isOutcomeFinite(velocity1, wA - wB))
+	{
+		revert();
+		m_numCommittedRows = 0;
+		return NOTHING;
+	}
 
 	btElasticPlasticState& state = m_model.m_state;
 	const btScalar rate = 1 / m_dt;
