@@ -223,15 +223,16 @@ ReturnMapping JointStep::returnMap(int r) const
 	return ImplicitLaw().returnMap(s, outcome, m_dt);
 }
 
-/// Whether the solver has made anything finite of the step: one of Bullet's own may not have.
+/// Twice the work of the step's impulses on the bodies: that of each is exactly impulse times mean velocity. It is finite only if all
+/// of them are.
 /// \param velocity1  J v at the end of the step, of all degrees of freedom
-/// \param spin       the same as a vector, of rotations
-bool JointStep::isOutcomeFinite(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin) const
+/// \param spin1      the relative angular velocity then
+double JointStep::twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const
 {
-	double sum = double(m_dampingImpulse.dot(m_spin0 + spin));
+	double work = double(m_dampingImpulse.dot(m_spin0 + spin1));
 	for (int r = 0; r < m_numRows; ++r)
-		sum += double(m_row[r].m_impulse) + double(m_row[r].m_velocity0) + double(velocity1[m_row[r].m_dof]);
-	return btElasticPlasticIsFinite(sum);
+		work += double(m_row[r].m_impulse) * (double(m_row[r].m_velocity0) + double(velocity1[m_row[r].m_dof]));
+	return work;
 }
 
 int JointStep::commit()
@@ -247,16 +248,17 @@ int JointStep::commit()
 		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
 	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {}, unloaded[BT_EP_DOF_COUNT] = {};
 	project(linear, wA - wB, velocity1);
-	if (!isOutcomeFinite(velocity1, wA - wB))
+	btElasticPlasticState& state = m_model.m_state;
+	const double work = state.m_work - 0.5 * twiceWork(velocity1, wA - wB);
+	if (!btElasticPlasticIsFinite(work))
 	{
+		// One of Bullet's own solvers may have made nothing finite of the step.
 		revert();
 		m_numCommittedRows = 0;
 		return NOTHING;
 	}
 
-	btElasticPlasticState& state = m_model.m_state;
 	const btScalar rate = 1 / m_dt;
-	double work = double(m_dampingImpulse.dot(m_spin0 + wA - wB));
 	bool flowed = false;
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
@@ -267,8 +269,6 @@ int JointStep::commit()
 		state.m_forceRate[i] = (mapped.m_force - state.m_force[i]) * rate;
 		state.m_force[i] = mapped.m_force;
 		state.m_applied[i] = row.m_impulse * rate;
-		// The work of an impulse on the bodies is exactly impulse times mean velocity.
-		work += double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
 		unloaded[i] = mapped.m_unloaded;
 		if (mapped.m_increment == 0)
 			continue;
@@ -283,7 +283,7 @@ int JointStep::commit()
 	state.m_withheldStep = m_withheldStep;
 	state.m_lastStep = m_dt;
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
-	state.m_work -= 0.5 * work;
+	state.m_work = work;
 	revert();
 	m_model.moveReference(unloaded);
 	if (!flowed)

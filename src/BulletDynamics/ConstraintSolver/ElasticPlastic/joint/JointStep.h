@@ -120,7 +120,7 @@ private:
 	PaperLaw paperLaw(int dof) const;
 	ReturnMapping returnMap(int r) const;
 	void takeBackKinematicMotion();
-	bool isOutcomeFinite(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin) const;
+	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
 	JointModel& m_model;
 	int m_numRows = 0;
