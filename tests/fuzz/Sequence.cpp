@@ -448,7 +448,8 @@ void Sequence::badCapacity()
 			bad.m_stiffness[dof] = m_chance.bad();
 			break;
 		case 1:
-			bad.m_yield[dof] = m_chance.bad();
+			// A yield value near the largest number is taken, and can make an infinite plastic energy.
+			bad.m_yield[dof] = btMin(m_chance.bad(), btScalar(1e30));
 			break;
 		case 2:
 			bad.m_ductility[dof] = m_chance.bad();
@@ -503,7 +504,8 @@ void Sequence::badDofs()
 void Sequence::badBody()
 {
 	btRigidBody* const body = anyBody();
-	if (!body)
+	// Made static and then dynamic outside of a world, a body has no island that Bullet could look for.
+	if (!body || !body->getBroadphaseHandle())
 		return;
 	switch (m_chance.below(8))
 	{
@@ -564,7 +566,7 @@ void Sequence::badSettings()
 			settings.m_maxVectorWidth = 3;
 			break;
 		default:
-			settings.m_form = btElasticPlasticForm(7);
+			settings.m_iterationTolerance = double(-m_chance.power(1e-3, 1));
 	}
 	if (m_arena.m_direct.setSettings(settings))
 		complain("settings that make no sense are taken");
