@@ -7,7 +7,7 @@
 #include "btElasticPlasticFault.h"
 
 /// How islands with elastic-plastic joints are solved.
-enum btElasticPlasticForm
+enum btElasticPlasticForm : int  // of a fixed type: a value that is none can be passed, and is refused
 {
 	BT_EP_DIRECT,    ///< exactly, by a sparse factorisation, contacts and other constraints included
 	BT_EP_ITERATIVE  ///< by Bullet's sequential impulses with exact soft rows: as good as its iterations

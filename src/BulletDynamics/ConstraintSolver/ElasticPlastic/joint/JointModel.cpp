@@ -47,7 +47,8 @@ bool isFrame(const btTransform& frame)
 	const btMatrix3x3 product = frame.getBasis().transposeTimes(frame.getBasis());
 	for (int i = 0; i < 3; ++i)
 		for (int j = 0; j < 3; ++j)
-			if (!(btFabs(product[i][j] - btScalar(i == j ? 1 : 0)) < FRAME_TOLERANCE))
+			if (!btElasticPlasticIsFinite(product[i][j]) ||
+				!(btFabs(product[i][j] - btScalar(i == j ? 1 : 0)) < FRAME_TOLERANCE))
 				return false;
 	const btVector3& origin = frame.getOrigin();
 	return frame.getBasis().determinant() > 0 && btElasticPlasticIsFinite(origin.x() + origin.y() + origin.z());
@@ -98,7 +99,10 @@ btElasticPlasticFault JointModel::findStepFault() const
 
 namespace
 {
-bool isRotation(const btQuaternion& q) { return btFabs(q.length2() - 1) < FRAME_TOLERANCE; }
+bool isRotation(const btQuaternion& q)
+{
+	return btElasticPlasticIsFinite(q.length2()) && btFabs(q.length2() - 1) < FRAME_TOLERANCE;
+}
 }  // namespace
 
 bool JointModel::accepts(const btElasticPlasticState& state) const
@@ -112,9 +116,9 @@ bool JointModel::accepts(const btElasticPlasticState& state) const
 			   double(state.m_applied[i]) + (i < 3 ? double(state.m_initial[i]) : 0.);
 		// A force on the yield value may be rounded to either side of it.
 		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * (1 + 8 * SIMD_EPSILON) : btScalar(0);
-		if (!(btFabs(state.m_force[i]) <= most) || !(state.m_plasticPath[i] >= 0))
+		if (btFabs(state.m_force[i]) > most || state.m_plasticPath[i] < 0)
 			return false;
-		sum += double(state.m_plasticPath[i]);
+		sum += double(state.m_plasticPath[i]) + double(state.m_force[i]);
 	}
 	return btElasticPlasticIsFinite(sum) && state.m_plasticEnergy >= 0 && state.m_lastStep >= 0 &&
 		   state.m_withheldStep >= 0 && btElasticPlasticIsFinite(double(state.m_withheldStep)) &&

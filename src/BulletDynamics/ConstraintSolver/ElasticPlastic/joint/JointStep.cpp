@@ -276,6 +276,18 @@ ReturnMapping JointStep::returnMap(int r) const
 	return ImplicitLaw().returnMap(s, outcome, m_dt);
 }
 
+/// Twice the work of the step's impulses on the bodies: that of each is exactly impulse times mean velocity. It is finite only if all
+/// of them are.
+/// \param velocity1  J v at the end of the step, of all degrees of freedom
+/// \param spin1      the relative angular velocity then
+double JointStep::twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const
+{
+	double work = double(m_dampingImpulse.dot(m_spin0 + spin1));
+	for (int r = 0; r < m_numRows; ++r)
+		work += double(m_row[r].m_impulse) * (double(m_row[r].m_velocity0) + double(velocity1[m_row[r].m_dof]));
+	return work;
+}
+
 int JointStep::commit()
 {
 	m_numCommittedRows = m_numRows;
@@ -289,10 +301,17 @@ int JointStep::commit()
 		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
 	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {}, unloaded[BT_EP_DOF_COUNT] = {};
 	project(linear, wA - wB, velocity1);
-
 	btElasticPlasticState& state = m_model.m_state;
+	const double work = state.m_work - 0.5 * twiceWork(velocity1, wA - wB);
+	if (!btElasticPlasticIsFinite(work))
+	{
+		// One of Bullet's own solvers may have made nothing finite of the step.
+		revert();
+		m_numCommittedRows = 0;
+		return NOTHING;
+	}
+
 	const btScalar rate = 1 / m_dt;
-	double work = double(m_dampingImpulse.dot(m_spin0 + wA - wB));
 	bool flowed = false;
 	ReturnMapping mappedRows[BT_EP_DOF_COUNT];
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
@@ -307,8 +326,6 @@ int JointStep::commit()
 		state.m_forceRate[i] = (mapped.m_force - state.m_force[i]) * rate;
 		state.m_force[i] = mapped.m_force;
 		state.m_applied[i] = row.m_impulse * rate;
-		// The work of an impulse on the bodies is exactly impulse times mean velocity.
-		work += double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
 		unloaded[i] = mapped.m_unloaded;
 		if (mapped.m_increment == 0)
 			continue;
@@ -323,7 +340,7 @@ int JointStep::commit()
 	state.m_withheldStep = m_withheldStep;
 	state.m_lastStep = m_dt;
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
-	state.m_work -= 0.5 * work;
+	state.m_work = work;
 	revert();
 	m_model.moveReference(unloaded);
 	if (!flowed)

@@ -146,7 +146,7 @@ bool LinearSolver::solve(std::vector<double>& x)
 
 namespace
 {
-double dot(const std::vector<double>& x, const std::vector<double>& y)
+double scalarProduct(const std::vector<double>& x, const std::vector<double>& y)
 {
 	double sum = 0;
 	for (size_t i = 0; i < x.size(); ++i)
@@ -163,7 +163,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 	const BlockMatrix& matrix = m_plan->m_matrix;
 	const BlockFactor& factor = m_plan->m_factor;
 	const size_t n = x.size();
-	const double enough = m_settings.m_iterationTolerance * m_settings.m_iterationTolerance * dot(x, x);
+	const double enough = m_settings.m_iterationTolerance * m_settings.m_iterationTolerance * scalarProduct(x, x);
 	m_rest = x;
 	m_product.resize(n);
 	m_preconditioned = m_rest;
@@ -171,13 +171,13 @@ bool LinearSolver::iterate(std::vector<double>& x)
 	countSolution();
 	m_search = m_preconditioned;
 	m_solution.assign(n, 0.);
-	double rz = dot(m_rest, m_preconditioned), before = dot(x, x);
+	double rz = scalarProduct(m_rest, m_preconditioned), before = scalarProduct(x, x);
 	for (int i = 0; i < m_settings.m_maxIterations; ++i)
 	{
 		matrix.multiply(m_search.data(), m_product.data());
 		++m_statistics.m_iterations;
 		m_statistics.m_work += (long long)(NANOSECONDS_A_MATRIX_BLOCK * double(matrix.getNumBlocks()));
-		const double alpha = rz / dot(m_search, m_product);
+		const double alpha = rz / scalarProduct(m_search, m_product);
 		double rest = 0;
 		for (size_t k = 0; k < n; ++k)
 		{
@@ -197,7 +197,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 		m_preconditioned = m_rest;
 		factor.solve(m_preconditioned.data());
 		countSolution();
-		const double next = dot(m_rest, m_preconditioned);
+		const double next = scalarProduct(m_rest, m_preconditioned);
 		for (size_t k = 0; k < n; ++k)
 			m_search[k] = m_preconditioned[k] + next / rz * m_search[k];
 		rz = next;

@@ -632,4 +632,11 @@ void DirectForm::finish()
 								   joint.m_isCut ? BETWEEN : m_system.getBounds(joint.m_firstRow));
 	}
 }
+
+void DirectForm::cancel()
+{
+	for (int j = 0; j < m_joints.size(); ++j)
+		m_joints[j].m_works->m_step.revert();
+	m_joints.resize(0);
+}
 }  // namespace btElasticPlastic

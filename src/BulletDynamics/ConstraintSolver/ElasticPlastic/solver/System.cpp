@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "../linear/ScopedTimer.h"
 #include "Jacobian.h"
@@ -203,7 +204,7 @@ bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 		m_statistics.m_work += (long long)(4 * NANOSECONDS_A_ROW * double(input.getNumRows()));
 		evaluate(input);
 		phi = findResidual(input);
-		if (!(phi == phi))
+		if (!btElasticPlasticIsNumber(phi))
 			return false;
 		shortSteps += length < SHORT_STEP;
 		if (!mayCrawl && (shortSteps >= SHORT_STEPS || step >= PATIENCE))
@@ -329,7 +330,7 @@ bool System::search(SystemInput& input, Effort effort)
 	m_interiorHasSolved = m_insideHasSolved = m_hasSearched = m_isCut = false;
 	bool solved = findMinimum(input, effort);
 	if (m_insideHasSolved)
-		return finish(input);
+		return finish();
 	bool open = effort != ROUGH && m_contacts.isAny() && tighten(1);
 	// The interior point method has no need of them: its contacts are hard.
 	for (int loop = 0; solved && open && !m_interiorHasSolved && !isSpent() && loop < m_settings.m_maxContactLoops;
@@ -339,7 +340,7 @@ bool System::search(SystemInput& input, Effort effort)
 		// The contacts' targets have changed, so the solution changes even if no bound does.
 		solved = findMinimum(input, effort);
 		if (m_insideHasSolved)
-			return finish(input);
+			return finish();
 		open = tighten(loop + 2);
 	}
 	m_statistics.m_looseContacts += open;
@@ -351,19 +352,17 @@ bool System::search(SystemInput& input, Effort effort)
 		evaluate(input);
 		settle(input, m_law.getImpulses());
 	}
-	return finish(input);
+	return finish();
 }
 
 /// \return false if the solution is not a number
-bool System::finish(const SystemInput& input)
+bool System::finish()
 {
 	for (const double v : m_velocity)
 		if (!(fabs(v) < FASTEST))
 		{
-			++m_statistics.m_fallbacks;
-			const size_t numRows = input.m_rows.size();
-			setResult({std::vector<double>(m_velocity.size(), 0.), std::vector<double>(numRows, 0.),
-					   std::vector<signed char>(numRows, 0)});
+			// IslandSolver finds it in the bodies, and withholds it.
+			std::fill(m_velocity.begin(), m_velocity.end(), std::numeric_limits<double>::quiet_NaN());
 			return false;
 		}
 	return true;

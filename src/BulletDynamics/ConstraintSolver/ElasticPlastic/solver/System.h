@@ -66,7 +66,7 @@ public:
 	/// Solves a problem. The targets, compliances and bounds of contacts' rows in the input are changed.
 	/// \param islandId  the id that the last solution of the same island has left here, 0: none; gets the id for the next one
 	/// \param numSolutions  about how often solveAgain() will follow, this one included
-	/// \return false if the solution is not a number: then nothing changes, and no row has an impulse
+	/// \return false if the solution is not a number: then no velocity is
 	bool solve(SystemInput& input, int& islandId, Effort effort, int numSolutions = 1);
 
 	/// Solves the last problem again with other targets and bounds, from its solution on.
@@ -109,7 +109,7 @@ private:
 	};
 	Found searchInside(SystemInput& input, Effort effort);
 	void findPlaces(const SystemInput& input, std::vector<int>& bodies) const;
-	bool finish(const SystemInput& input);
+	bool finish();
 	bool guess(const SystemInput& input);
 	bool findMinimum(SystemInput& input, Effort effort);
 	bool newton(const SystemInput& input, bool isGuess, int maxSteps);
