@@ -99,7 +99,9 @@ void Lattice::build(Stage& stage) const
 	const btElasticPlasticMaterial material = stage.concrete(BRICK_YIELD, BRICK_STRAIN);
 	const btElasticPlasticCapacity capacity = rectangularMember(material, cube, cube, cube, cube);
 	btCollisionShape* const shape = brick(stage, cube, cube, cube);
-	const auto placeOf = [&](double x, double y, double z) { return vector(x * cube, (y + 0.5) * cube, z * cube); };
+	const double height = stands ? 0 : 20;
+	const auto placeOf = [&](double x, double y, double z)
+	{ return vector(x * cube, (y + 0.5) * cube + height, z * cube); };
 	std::vector<btRigidBody*> cubes;
 	const auto at = [&](int x, int y, int z) -> btRigidBody& { return *cubes[size_t((y * side + z) * side + x)]; };
 	for (int y = 0; y < side; ++y)
@@ -114,10 +116,11 @@ void Lattice::build(Stage& stage) const
 					stage.join(at(x, y, z), at(x + 1, y, z), placeOf(x + 0.5, y, z), Stage::Along::X, capacity);
 				if (z + 1 < side)
 					stage.join(at(x, y, z), at(x, y, z + 1), placeOf(x, y, z + 0.5), Stage::Along::Z, capacity);
-				stage.join(y > 0 ? at(x, y - 1, z) : stage.ground(), at(x, y, z), placeOf(x, y - 0.5, z),
-						   Stage::Along::Y, capacity);
+				if (y > 0 || stands)
+					stage.join(y > 0 ? at(x, y - 1, z) : stage.ground(), at(x, y, z), placeOf(x, y - 0.5, z),
+							   Stage::Along::Y, capacity);
 			}
-	stage.throwBall(FIRST_BLOW,
-					{btScalar(0.5), 5000, vector(side * cube / 2 + 0.1, side * cube * 0.6, -4), vector(0, 1, 25)});
+	stage.throwBall(FIRST_BLOW, {btScalar(0.5), 5000, vector(side * cube / 2 + 0.1, side * cube * 0.6 + height, -4),
+								 vector(0, 1, 25)});
 }
 }  // namespace ep

@@ -28,10 +28,11 @@ struct Tower
 	void build(Stage& stage) const;
 };
 
-/// Cubes in a cube, each joined to its neighbours, that a ball hits.
+/// Cubes in a cube, each joined to its neighbours, the lowest to the ground, that a ball hits.
 struct Lattice
 {
 	int side = 8;
+	bool stands = true;  ///< else it floats above the ground
 
 	void build(Stage& stage) const;
 };
