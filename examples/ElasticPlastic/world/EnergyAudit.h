@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "world/World.h"
@@ -46,21 +47,44 @@ public:
 	/// The most that kinetic energy, or the joints' work, has been [J].
 	double atPlay() const { return m_most; }
 
-	/// Before a step, when all loads are on.
+	/// What the last step has added to kinetic energy + what the joints have stored and dissipated by flow - the loads' work on the way
+	/// that the bodies have gone [J]; above 0: from nowhere. Contacts, friction and recovery of penetration have their part in it. A
+	/// step that solves all rows exactly makes none where stiff joints are backward Euler, and contacts without restitution. (With
+	/// restitution a bounce gives back by weight times speed times half a step what the fall has lost: Bullet's velocities stand half a
+	/// step before its places. balance() has both at one time, but for contacts it has no bound.)
+	double gain() const { return m_gain; }
+
+	/// The most of gain() that slow recovery of penetration may have given: Bullet's, by velocities [J].
+	double slowRecovery() const { return m_slowRecovery; }
+
+	/// What fast recovery, which moves places only, has lifted [J]. No part of gain().
+	double lift() const { return m_lift; }
+
+	/// The most that kinetic energy + what the joints have stored and dissipated has been [J].
+	double turnover() const { return m_turnover; }
+
+	/// Before a step, when all loads are on. What has changed the bodies' kinetic energy since the last step, and what bodies that are new
+	/// have brought along, is no gain.
 	void begin()
 	{
 		if (!m_isBegun)
 		{
-			m_energy = m_balance = m_most = m_world.kineticEnergy();
+			m_energy = m_balance = m_most = m_kinetic = m_world.kineticEnergy();
 			m_rounding = rounding();
+			m_held = 0;
+			for (const btElasticPlasticJoint* joint : m_world.joints())
+				m_held += joint->getElasticEnergy() + joint->getPlasticEnergy();
 		}
 		m_isBegun = true;
+		const double given = m_world.kineticEnergy() - m_kinetic;
+		m_kinetic += given;
+		m_energy += given;
 		m_loads.clear();
 		for (const auto& body : m_world.bodies())
 		{
 			const btScalar mass = body->getInvMass() > 0 ? 1 / body->getInvMass() : btScalar(0);
 			m_loads.push_back({body->getTotalForce() + body->getGravity() * mass, body->getTotalTorque(),
-							   body->getLinearVelocity(), body->getAngularVelocity()});
+							   body->getLinearVelocity(), body->getAngularVelocity(), body->getCenterOfMassPosition()});
 		}
 	}
 
@@ -80,6 +104,7 @@ public:
 		m_balance = energy - dissipated;
 		m_most = std::max(m_most, m_world.kineticEnergy());
 		m_created += std::max(0., energy - m_energy);
+		countGain(double(dt));
 		return m_energy = energy;
 	}
 
@@ -95,7 +120,7 @@ private:
 	/// the balance exact; by the force after the step it would sway by frequency times half a step.)
 	double heldHalfAStepAgo(const btElasticPlasticJoint& joint)
 	{
-		Held& before = m_held[&joint];
+		Held& before = m_heldBefore[&joint];
 		double energy = (joint.getPlasticEnergy() + before.m_plastic) / 2;
 		before.m_plastic = joint.getPlasticEnergy();
 		// What was in the springs is lost with them.
@@ -120,8 +145,86 @@ private:
 
 	struct Load
 	{
-		btVector3 m_force, m_torque, m_velocity, m_spin;  ///< velocities before the step
+		btVector3 m_force, m_torque, m_velocity, m_spin, m_place;  ///< velocities and place before the step
 	};
+
+	void countGain(double dt)
+	{
+		const double kinetic = m_world.kineticEnergy();
+		double held = 0, work = motorWork(dt);
+		for (const btElasticPlasticJoint* joint : m_world.joints())
+			held += joint->getElasticEnergy() + joint->getPlasticEnergy();
+		m_lift = 0;
+		for (size_t i = 0; i < m_loads.size(); ++i)
+		{
+			const btRigidBody& body = *m_world.bodies()[i];
+			if (body.getInvMass() == 0 || !body.isActive())
+				continue;
+			const btVector3 moved = body.getLinearVelocity() * btScalar(dt), &place = body.getCenterOfMassPosition(),
+							lifted = place - m_loads[i].m_place - moved;
+			work +=
+				double(m_loads[i].m_force.dot(moved)) + double(m_loads[i].m_torque.dot(body.getAngularVelocity())) * dt;
+			if (lifted.length() > 4 * SIMD_EPSILON * place.length())
+				m_lift -= double(m_loads[i].m_force.dot(lifted));
+		}
+		m_gain = kinetic - m_kinetic + held - m_held - work;
+		m_slowRecovery = slowRecoveryWork(dt);
+		m_kinetic = kinetic;
+		m_held = held;
+		m_turnover = std::max(m_turnover, kinetic + held);
+	}
+
+	/// Contacts' impulses times the speeds at which recovery was to part their bodies. Recovery that is not slow moves places only, where
+	/// joints are in the island (theory.md); else it is Bullet's too.
+	double slowRecoveryWork(double dt) const
+	{
+		const double slow = 0.1;   // [m/s]
+		std::set<int> withJoints;  // islands' tags
+		for (const btElasticPlasticJoint* joint : m_world.joints())
+			for (const btRigidBody* body :
+				 {&joint->getConstraint().getRigidBodyA(), &joint->getConstraint().getRigidBodyB()})
+				if (!joint->isBroken())
+					withJoints.insert(body->getIslandTag());
+		withJoints.erase(-1);  // what does not move is in none
+		const btContactSolverInfo& info = m_world.bullet().getSolverInfo();
+		btDispatcher& dispatcher = *m_world.bullet().getDispatcher();
+		double work = 0;
+		for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+		{
+			const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+			const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+			if (!a.isActive() && !b.isActive())
+				continue;
+			const double most =
+				withJoints.count(a.getIslandTag()) + withJoints.count(b.getIslandTag()) > 0 ? slow : HUGE_VAL;
+			for (int k = 0; k < manifold.getNumContacts(); ++k)
+			{
+				const btManifoldPoint& point = manifold.getContactPoint(k);
+				const double speed = -double(point.getDistance()) * double(info.m_erp2) / dt;
+				if (speed > 0 && speed <= most)
+					work += double(point.getAppliedImpulse()) * speed;
+			}
+		}
+		return work;
+	}
+
+	/// What hinges with motors, that have a feedback to be read, have given to their bodies [J].
+	double motorWork(double dt) const
+	{
+		double power = 0;
+		for (const auto& constraint : m_world.constraints())
+		{
+			const btJointFeedback* const feedback = constraint->getJointFeedback();
+			if (constraint->getConstraintType() != HINGE_CONSTRAINT_TYPE || !feedback)
+				continue;
+			const btRigidBody &a = constraint->getRigidBodyA(), &b = constraint->getRigidBodyB();
+			power += double(feedback->m_appliedForceBodyA.dot(a.getLinearVelocity())) +
+					 double(feedback->m_appliedTorqueBodyA.dot(a.getAngularVelocity())) +
+					 double(feedback->m_appliedForceBodyB.dot(b.getLinearVelocity())) +
+					 double(feedback->m_appliedTorqueBodyB.dot(b.getAngularVelocity()));
+		}
+		return power * dt;
+	}
 
 	/// Energy of the joints' springs under the rounding of the bodies' places.
 	double rounding() const
@@ -166,8 +269,10 @@ private:
 	double m_work = 0;
 	bool m_isBegun = false;
 	double m_energy = 0, m_balance = 0, m_most = 0, m_created = 0;
-	double m_given = 0, m_rounding = 0;                   // of joints
-	std::map<const btElasticPlasticJoint*, Held> m_held;  // after the last step
+	double m_given = 0, m_rounding = 0;                         // of joints
+	std::map<const btElasticPlasticJoint*, Held> m_heldBefore;  // after the last step
+	double m_kinetic = 0, m_held = 0;                           // after the last step: of bodies, of joints
+	double m_gain = 0, m_slowRecovery = 0, m_lift = 0, m_turnover = 0;
 };
 }  // namespace ep
 

@@ -83,6 +83,9 @@ public:
 
 	const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return m_bodies; }
 
+	/// Those that were added beside joints.
+	const std::vector<std::unique_ptr<btTypedConstraint>>& constraints() const { return m_constraints; }
+
 	/// In the order in which they were asked for.
 	std::vector<btElasticPlasticJoint*> joints() const;
 

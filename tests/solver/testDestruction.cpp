@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// The direct form while structures are destroyed: what its search takes, by count and not by time, and that each step obeys the laws,
+// whatever the search's end.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "solver/SmallDestruction.h"
+#include "support/Precision.h"
+#include "support/Run.h"
+#include "world/EnergyAudit.h"
+
+namespace
+{
+using namespace ep;
+
+/// Plays a scene; look() is called after each frame.
+void play(const SmallDestruction& scene, Stage& stage, const std::function<void()>& look)
+{
+	scene.build(stage);
+	while (stage.frame() < scene.frames)
+	{
+		stage.playScript();
+		stage.solver()->resetStatistics();
+		stage.step();
+		look();
+	}
+}
+
+TEST(Destruction, SearchesStayShort)
+{
+	for (const SmallDestruction& scene : smallDestructions())
+	{
+		SCOPED_TRACE(scene.name);
+		Stage stage(scene.settings());
+		btElasticPlasticStatistics sum;
+		long long mostNewton = 0, mostFactors = 0, mostInterior = 0;
+		play(scene, stage,
+			 [&]
+			 {
+				 const btElasticPlasticStatistics& s = stage.solver()->getStatistics();
+				 sum += s;
+				 mostNewton = std::max(mostNewton, s.m_newtonSteps);
+				 mostFactors = std::max(mostFactors, s.m_factorisations);
+				 mostInterior = std::max(mostInterior, s.m_interiorIterations);
+			 });
+		EXPECT_LE(mostNewton, scene.newtonInAStep);
+		EXPECT_LE(sum.m_newtonSteps, scene.newtonInAll);
+		EXPECT_LE(mostFactors, scene.factorsInAStep);
+		// A call takes 15 to 32; a step has some for its islands and for recovery.
+		EXPECT_LE(mostInterior, 100);
+		EXPECT_EQ(0, sum.m_fallbacks);
+		// None of these reaches a bound on its search.
+		EXPECT_EQ(0, sum.m_cutSearches);
+	}
+}
+
+TEST(Destruction, JointsObeyTheirLaw)
+{
+	for (const SmallDestruction& scene : smallDestructions())
+	{
+		SCOPED_TRACE(scene.name);
+		Stage stage(scene.settings());
+		double most = 0;
+		play(scene, stage,
+			 [&]
+			 {
+				 for (const btElasticPlasticJoint* joint : stage.world().joints())
+					 for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+						 most = std::max(
+							 most, std::fabs(double(joint->getForce(dof))) / double(joint->getCapacity().m_yield[dof]));
+			 });
+		// Clamped to the yield value.
+		EXPECT_LE(most, 1.);
+		// All that these scenes do to joints is more than nothing.
+		EXPECT_GT(most, 0.01);
+		for (const auto& body : stage.world().bodies())
+			EXPECT_TRUE(isFinite(*body));
+	}
+}
+
+TEST(Destruction, ContactsPushAndFrictionHasItsBounds)
+{
+	for (const SmallDestruction& scene : smallDestructions())
+	{
+		SCOPED_TRACE(scene.name);
+		Stage stage(scene.settings());
+		double least = 0, beyond = 0, largest = 0;
+		play(scene, stage,
+			 [&]
+			 {
+				 btDispatcher& dispatcher = *stage.world().bullet().getDispatcher();
+				 for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+				 {
+					 const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+					 for (int k = 0; k < manifold.getNumContacts(); ++k)
+					 {
+						 const btManifoldPoint& point = manifold.getContactPoint(k);
+						 const double normal = double(point.getAppliedImpulse());
+						 largest = std::max(largest, normal);
+						 least = std::min(least, normal);
+						 beyond = std::max(beyond, std::fabs(double(point.m_appliedImpulseLateral1)) -
+													   double(point.m_combinedFriction) * normal);
+					 }
+				 }
+			 });
+		EXPECT_GE(least, 0.);
+		// Friction's bounds follow the normal impulses of contacts that are solved exactly to 1 % of the largest
+		// (btElasticPlasticSolverSettings::m_contactTolerance), less well where rounds end before (m_looseContacts). Bullet's sweeps
+		// leave friction as it was when a contact's normal impulse has come to 0.
+		EXPECT_LE(beyond, 0.05 * largest);
+	}
+}
+
+TEST(Destruction, EnergyIsNotGained)
+{
+	for (const SmallDestruction& scene : smallDestructions())
+	{
+		SCOPED_TRACE(scene.name);
+		Stage stage(scene.settings());
+		scene.build(stage);
+		EnergyAudit audit(stage.world());
+		double largest = 0;
+		while (stage.frame() < scene.frames)
+		{
+			stage.playScript();
+			audit.begin();
+			stage.step();
+			audit.end(btScalar(Stage::FRAME));
+			largest = std::max(largest, audit.gain() - audit.slowRecovery());
+		}
+		// In float a joint's force works against the rounding of its bodies' places: 1e5 N by 1e-6 m, at dozens of joints.
+		EXPECT_LE(largest, scene.gain * audit.turnover() + byPrecision(0, 1));
+	}
+}
+
+/// Of all bodies that move: momentum, and angular momentum about the origin.
+struct Momentum
+{
+	btVector3 m_linear = btVector3(0, 0, 0), m_angular = btVector3(0, 0, 0);
+
+	explicit Momentum(World& world)
+	{
+		for (const auto& body : world.bodies())
+		{
+			if (body->getInvMass() == 0)
+				continue;
+			const btMatrix3x3& basis = body->getCenterOfMassTransform().getBasis();
+			const btVector3 linear = body->getLinearVelocity() / body->getInvMass();
+			btVector3 own = basis.transpose() * body->getAngularVelocity();
+			for (int i = 0; i < 3; ++i)
+				own[i] /= body->getInvInertiaDiagLocal()[i];
+			m_linear += linear;
+			m_angular += body->getCenterOfMassPosition().cross(linear) + basis * own;
+		}
+	}
+};
+
+TEST(Destruction, AFreeStructureKeepsItsMomentum)
+{
+	const SmallDestruction scene = smallDestructions()[3];
+	ASSERT_STREQ("free lattice", scene.name);
+	Stage stage(scene.settings());
+	const int hit = 61;
+	btVector3 linear(0, 0, 0), angular(0, 0, 0);
+	play(scene, stage,
+		 [&]
+		 {
+			 const Momentum now(stage.world());
+			 if (stage.frame() == hit)
+			 {
+				 // The ball, which is still on its way.
+				 linear = now.m_linear;
+				 angular = now.m_angular;
+			 }
+			 if (stage.frame() <= hit)
+				 return;
+			 EXPECT_LT((now.m_linear - linear).length(), byPrecision(1e-9, 1e-4) * double(linear.length()));
+			 // Friction acts at two points that are as far apart as the bodies overlap, a hundredth of the arm.
+			 EXPECT_LT((now.m_angular - angular).length(), 0.01 * double(angular.length()));
+		 });
+	EXPECT_GT(stage.numBroken(), 0);
+}
+
+TEST(Destruction, IsTheSameEachTime)
+{
+	// To the bit: no search ends by the clock.
+	const SmallDestruction scene = smallDestructions()[0];
+	btVector3 sums[2];
+	for (btVector3& sum : sums)
+	{
+		Stage stage(scene.settings());
+		play(scene, stage, [] {});
+		sum.setZero();
+		for (const auto& body : stage.world().bodies())
+			sum += body->getCenterOfMassPosition();
+	}
+	EXPECT_EQ(sums[0].x(), sums[1].x());
+	EXPECT_EQ(sums[0].y(), sums[1].y());
+	EXPECT_EQ(sums[0].z(), sums[1].z());
+}
+}  // namespace
