@@ -27,6 +27,16 @@ struct Diary : btElasticPlasticListener
 	void onRefused(btElasticPlasticJoint&, const char* text) override { m_refused.push_back(text); }
 };
 
+/// Reads all events.
+int countEvents(btElasticPlasticAction& action)
+{
+	btElasticPlasticEvent event;
+	int count = 0;
+	while (action.popEvent(event))
+		++count;
+	return count;
+}
+
 TEST(Action, ReportsYieldAndBreakOnceInOrder)
 {
 	Row row(3);
@@ -67,12 +77,8 @@ TEST(Action, KeepsEventsInAQueueWithoutListener)
 {
 	Row row(2);
 	row.run(240);
-	btElasticPlasticEvent event;
-	int count = 0;
-	while (row.m_world.action().popEvent(event))
-		++count;
-	EXPECT_EQ(4, count);
-	EXPECT_FALSE(row.m_world.action().popEvent(event));
+	EXPECT_EQ(4, countEvents(row.m_world.action()));
+	EXPECT_EQ(0, countEvents(row.m_world.action()));
 }
 
 TEST(Action, TakesBrokenJointsOutOnce)
@@ -111,6 +117,7 @@ TEST(Action, RepairsAJointAsNew)
 	btElasticPlasticJoint* joint = row.m_joints[0];
 	btRigidBody& block = joint->getConstraint().getRigidBodyB();
 	ASSERT_TRUE(joint->isBroken());
+	EXPECT_EQ(2, countEvents(row.m_world.action()));
 	const btVector3 place = block.getCenterOfMassPosition();
 	block.setLinearVelocity(btVector3(0, 0, 0));
 	block.setGravity(btVector3(0, -1, 0));
@@ -128,11 +135,8 @@ TEST(Action, RepairsAJointAsNew)
 	block.setGravity(btVector3(0, -10, 0));
 	row.run(240);
 	EXPECT_TRUE(joint->isBroken());
-	btElasticPlasticEvent event;
-	int count = 0;
-	while (row.m_world.action().popEvent(event))
-		++count;
-	EXPECT_EQ(4, count);
+	// Two of each life, of which the last ones are in the queue.
+	EXPECT_EQ(2, countEvents(row.m_world.action()));
 }
 
 TEST(Action, SurvivesDeletionInAnyOrder)

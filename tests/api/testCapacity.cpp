@@ -68,6 +68,65 @@ TEST(Capacity, StiffnessOfAMember)
 		Capacity::fromMember(Material::steel(), s, btScalar(0.25 * l), btScalar(1.75 * l)).m_stiffness[BT_EP_AXIAL]);
 }
 
+TEST(Capacity, CouplingOfAMember)
+{
+	const double E = 200e9, I = 0.1 * 8e-3 / 12;
+	const Section s = Section::rectangle(btScalar(0.1), btScalar(0.2));
+	// Half lengths of 0.2 and 0.6 m: the middle of what is elastic is 0.2 m ahead. A force of 1 N there makes no turn, and at the
+	// joint it turns by 0.2 m over E I / l against what a moment would.
+	const Capacity c = Capacity::fromMember(Material::steel(), s, btScalar(0.4), btScalar(1.2));
+	expectClose(0.2, c.elasticMiddle(BT_EP_SHEAR_Y), byPrecision(1e-12, 1e-5));
+	expectClose(0.2, c.elasticMiddle(BT_EP_SHEAR_Z), byPrecision(1e-12, 1e-5));
+	btScalar force[BT_EP_DOF_COUNT] = {};
+	force[BT_EP_SHEAR_Y] = 1;
+	expectClose(-0.2 * 0.8 / (E * I), c.elasticDeformation(force, BT_EP_BENDING_Z), byPrecision(1e-12, 1e-5));
+	force[BT_EP_BENDING_Z] = btScalar(0.2);
+	EXPECT_NEAR(0, c.elasticDeformation(force, BT_EP_BENDING_Z), byPrecision(1e-12, 1e-5) * 0.2 * 0.8 / (E * I));
+	// What is left of the shift is that of a beam of 0.8 m under shear without moment in its middle.
+	const double bends = 0.8 * 0.8 * 0.8 / (12 * E * I), shears = 0.8 / (E / 2.6 * 0.02 * 5 / 6);
+	expectClose(bends + shears, c.elasticDeformation(force, BT_EP_SHEAR_Y), byPrecision(1e-12, 1e-5));
+	// The other way round, the other sign; between equal parts, none.
+	const Capacity reversed = Capacity::fromMember(Material::steel(), s, btScalar(1.2), btScalar(0.4));
+	for (int plane = 0; plane < 2; ++plane)
+	{
+		EXPECT_EQ(-c.m_coupling[plane], reversed.m_coupling[plane]);
+		EXPECT_EQ(0, Capacity::fromMember(Material::steel(), s, 1, 1).m_coupling[plane]);
+	}
+}
+
+TEST(Capacity, CouplingNeedsTwoSpringsAndTheBowALength)
+{
+	const Section s = Section::rectangle(btScalar(0.1), btScalar(0.2));
+	const Capacity whole = Capacity::fromMember(Material::steel(), s, 0, 1);
+	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+		EXPECT_EQ(dof % 3 != 0, whole.couplingCompliance(dof) != 0);
+	EXPECT_EQ(whole.couplingCompliance(BT_EP_SHEAR_Z), whole.couplingCompliance(BT_EP_BENDING_Y));
+	Capacity hinge = whole, rigid = whole, byHand = whole;
+	hinge.clear(BT_EP_BENDING_Z);
+	rigid.setRigidPlastic(BT_EP_BENDING_Z, 1);
+	byHand.set(BT_EP_SHEAR_Y, 1, 1);
+	for (const Capacity& c : {hinge, rigid, byHand})
+	{
+		EXPECT_EQ(0, c.couplingCompliance(BT_EP_SHEAR_Y));
+		EXPECT_EQ(0, c.elasticMiddle(BT_EP_SHEAR_Y));
+		EXPECT_EQ(whole.couplingCompliance(BT_EP_SHEAR_Z), c.couplingCompliance(BT_EP_SHEAR_Z));
+		EXPECT_FALSE(c.fault());
+	}
+	for (const btScalar bad : {btScalar(1), btScalar(-1), btScalar(NAN)})
+	{
+		Capacity c = whole;
+		c.m_coupling[1] = bad;
+		EXPECT_TRUE(c.fault());
+	}
+	EXPECT_EQ(btScalar(0.5), whole.m_length);
+	for (const btScalar bad : {btScalar(-1), btScalar(INFINITY), btScalar(NAN)})
+	{
+		Capacity c = whole;
+		c.m_length = bad;
+		EXPECT_TRUE(c.fault());
+	}
+}
+
 TEST(Capacity, DuctilityFromStrainAndGaugeLength)
 {
 	Material m = Material::steel();

@@ -32,12 +32,19 @@ std::unique_ptr<btConstraintSolver> make(Solver solver)
 	return ours;
 }
 
+/// Writes down what it hears, and does something at each break.
 struct Diary : btElasticPlasticListener
 {
-	int m_breaks = 0;
+	std::vector<btElasticPlasticJoint*> m_broken;
 	std::vector<std::string> m_refused;
+	std::function<void()> m_atBreak;
 
-	void onBreak(const btElasticPlasticEvent&) override { ++m_breaks; }
+	void onBreak(const btElasticPlasticEvent& event) override
+	{
+		m_broken.push_back(event.m_joint);
+		if (m_atBreak)
+			m_atBreak();
+	}
 	void onRefused(btElasticPlasticJoint&, const char* text) override { m_refused.push_back(text); }
 };
 
@@ -272,30 +279,19 @@ TEST(Lifetimes, AJointWhoseBodyIsDeletedIsNotDrawn)
 
 TEST(Lifetimes, AListenerMayDeleteTheAction)
 {
-	struct Deleter : btElasticPlasticListener
-	{
-		Parts* m_parts;
-		int m_breaks = 0;
-
-		void onBreak(const btElasticPlasticEvent&) override
-		{
-			++m_breaks;
-			m_parts->deleteAction();
-		}
-	};
 	for (Solver solver : SOLVERS)
 		for (btScalar distance : {btScalar(0.5), btScalar(1.5)})
 		{
-			Deleter deleter;
+			Diary diary;
 			Parts scene(solver);
-			deleter.m_parts = &scene;
-			scene.m_action->setListener(&deleter);
+			diary.m_atBreak = [&scene] { scene.deleteAction(); };
+			scene.m_action->setListener(&diary);
 			scene.row(4, distance, weak());
 			testing::internal::CaptureStderr();
 			scene.step(20);
 			// Joints that were whole have no action any more, which is printed.
 			testing::internal::GetCapturedStderr();
-			EXPECT_EQ(1, deleter.m_breaks);
+			EXPECT_EQ(1u, diary.m_broken.size());
 			EXPECT_FALSE(scene.m_action);
 			for (const auto& body : scene.m_bodies)
 				EXPECT_TRUE(isFinite(*body));
@@ -304,27 +300,16 @@ TEST(Lifetimes, AListenerMayDeleteTheAction)
 
 TEST(Lifetimes, AListenerMayDeleteJoints)
 {
-	struct Deleter : btElasticPlasticListener
-	{
-		Parts* m_parts;
-		int m_breaks = 0;
-
-		void onBreak(const btElasticPlasticEvent&) override
-		{
-			++m_breaks;
-			m_parts->deleteJoints();
-		}
-	};
 	for (Solver solver : SOLVERS)
 		for (btScalar distance : {btScalar(0.5), btScalar(1.5)})
 		{
-			Deleter deleter;
+			Diary diary;
 			Parts scene(solver);
-			deleter.m_parts = &scene;
-			scene.m_action->setListener(&deleter);
+			diary.m_atBreak = [&scene] { scene.deleteJoints(); };
+			scene.m_action->setListener(&diary);
 			scene.row(4, distance, weak());
 			scene.step(20);
-			EXPECT_EQ(1, deleter.m_breaks);
+			EXPECT_EQ(1u, diary.m_broken.size());
 			EXPECT_EQ(0, scene.m_action->getNumJoints());
 			EXPECT_EQ(0, scene.m_world->getNumConstraints());
 		}
@@ -332,29 +317,21 @@ TEST(Lifetimes, AListenerMayDeleteJoints)
 
 TEST(Lifetimes, AListenerMayStepTheWorld)
 {
-	struct Stepper : btElasticPlasticListener
-	{
-		Parts* m_parts;
-		int m_depth = 0;
-		std::vector<btElasticPlasticJoint*> m_broken;
-
-		void onBreak(const btElasticPlasticEvent& event) override
-		{
-			m_broken.push_back(event.m_joint);
-			if (m_depth == 3)
-				return;
-			++m_depth;
-			m_parts->step();
-			--m_depth;
-		}
-	};
 	for (Solver solver : SOLVERS)
 		for (btScalar distance : {btScalar(0.5), btScalar(1.5)})
 		{
-			Stepper stepper;
+			Diary diary;
 			Parts scene(solver);
-			stepper.m_parts = &scene;
-			scene.m_action->setListener(&stepper);
+			int depth = 0;
+			diary.m_atBreak = [&scene, &depth]
+			{
+				if (depth == 3)
+					return;
+				++depth;
+				scene.step();
+				--depth;
+			};
+			scene.m_action->setListener(&diary);
 			scene.row(10, distance, weak());
 			scene.step(20);
 			// Each break is told once.
@@ -363,10 +340,10 @@ TEST(Lifetimes, AListenerMayStepTheWorld)
 				if (joint->isBroken())
 				{
 					++broken;
-					EXPECT_EQ(1, std::count(stepper.m_broken.begin(), stepper.m_broken.end(), joint.get()));
+					EXPECT_EQ(1, std::count(diary.m_broken.begin(), diary.m_broken.end(), joint.get()));
 				}
 			EXPECT_GT(broken, 0);
-			EXPECT_EQ(broken, int(stepper.m_broken.size()));
+			EXPECT_EQ(broken, int(diary.m_broken.size()));
 			EXPECT_EQ(broken, scene.m_action->getNumBroken());
 			for (const auto& body : scene.m_bodies)
 				EXPECT_TRUE(isFinite(*body));

@@ -111,6 +111,18 @@ TEST(Section, IntegralsOverTheShape)
 					[](double y, double z) { return fabs(y) > 0.8 || fabs(z) < 0.05; });
 }
 
+TEST(Section, ShearAreasOfAnISection)
+{
+	// The web takes what runs along y. Each flange is a rectangle for what runs along z: 5/6 of it for stiffness, all of it yields.
+	const double b = 0.3, h = 0.5, web = 0.01, flange = 0.02;
+	const Section s = Section::iSection(btScalar(b), btScalar(h), btScalar(web), btScalar(flange));
+	expectClose((h - 2 * flange) * web, s.m_shearArea[0]);
+	expectClose((h - 2 * flange) * web, s.m_plasticShearArea[0]);
+	expectClose(2 * Section::rectangle(btScalar(flange), btScalar(b)).m_shearArea[0], s.m_shearArea[1]);
+	expectClose(5. / 6 * 2 * b * flange, s.m_shearArea[1]);
+	expectClose(2 * b * flange, s.m_plasticShearArea[1]);
+}
+
 TEST(Section, RoundAndHollow)
 {
 	const Section c = Section::circle(btScalar(0.2));

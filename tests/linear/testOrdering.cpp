@@ -33,7 +33,7 @@ int64_t fillOf(const BlockGraph& graph)
 		all.insert(all.end(), list.begin(), list.end());
 		start.push_back(int(all.size()));
 	}
-	btElasticPlastic::minimumDegree(n, start.data(), all.data(), order);
+	btElasticPlastic::minimumDegree(n, start.data(), all.data(), 0, order);
 	EXPECT_EQ(int(order.size()), n);
 	for (int j = 0; j < n; ++j)
 		position[order[j]] = j;

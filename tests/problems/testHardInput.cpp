@@ -317,9 +317,10 @@ TEST(HardInput, StepsThatAreNone)
 			EXPECT_EQ(before.m_work, joint->getWork());
 			EXPECT_EQ(time, pair.m_world.action().getTime());
 			ASSERT_EQ(1u, refusals.m_badSteps.size());
-			EXPECT_TRUE(refusals.m_badSteps[0] == bad ||
-						(bad != bad && refusals.m_badSteps[0] != refusals.m_badSteps[0]));
-			EXPECT_EQ(bad < 0, isFinite(*pair.m_b)) << int(solver);
+			const bool isNumber = btElasticPlasticIsNumber(bad);
+			EXPECT_EQ(isNumber, btElasticPlasticIsNumber(refusals.m_badSteps[0]));
+			EXPECT_TRUE(!isNumber || refusals.m_badSteps[0] == bad);
+			EXPECT_EQ(isNumber, isFinite(*pair.m_b)) << int(solver);
 		}
 }
 

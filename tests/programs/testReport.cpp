@@ -156,6 +156,88 @@ TEST_F(Report, SaysWhatIsWrong)
 		<< result.output;
 }
 
+/// What stands in the folder for records may come from anywhere.
+TEST_F(Report, ForeignRecordsAreRefused)
+{
+	ASSERT_EQ(0, report("").status);
+	const fs::path file = m_folder / "out" / "cases" / "block-released.60x1.float.json";
+	const std::string whole = read(file);
+	const json record = json::parse(whole)[0];
+	const auto with = [&record](const char* key, const json& value)
+	{
+		json changed = record;
+		changed[key] = value;
+		return json::array({changed}).dump();
+	};
+	json without = record;
+	without.erase("steps");
+	const struct
+	{
+		std::string text, answer;
+	} cases[] = {{std::string(100000, '['), "more than 16 levels deep"},
+				 {"[{}]", "record 1: problem is missing"},
+				 {"[7]", "record 1 is 7; it must be an object"},
+				 {"{\"a\": [1, 2]}", "it is an object with 1 keys"},
+				 {json::array({without}).dump(), "record 1: steps is missing"},
+				 {with("problem", "../../evil"), "problem is \"../../evil\"; it must be 1 to 64 lower-case letters"},
+				 {with("problem", ""), "problem is \"\"; it must be"},
+				 {with("problem", json::array({1, 2, 3})), "problem is a list of 3; it must be a text"},
+				 {with("steps", 0), "steps is 0; it must be a whole number from 1 to 1000000000"},
+				 {with("steps", -5), "steps is -5; it must be"},
+				 {with("steps", 2.5), "steps is 2.5; it must be"},
+				 {with("substeps", 0), "substeps is 0; it must be"},
+				 {with("dt_s", 0), "dt_s is 0; it must be a number from 1e-12"},
+				 {with("dt_s", -0.01), "dt_s is -0.01; it must be"},
+				 // So small that a logarithmic axis has no end.
+				 {with("run_time_s", 1e-323), "run_time_s is 1e-323; it must be"},
+				 {with("simulated_s", json()), "simulated_s is null; it must be"},
+				 {with("value", "much"), "value is \"much\"; it must be a number or null"},
+				 {with("solver", "magic"), "solver is \"magic\"; it must be one of stock, nncg"},
+				 {with("precision", std::string(100000, 'x')), "precision is \"xxxx"}};
+	for (const auto& c : cases)
+	{
+		std::ofstream(file) << c.text;
+		const Ended result = report("");
+		EXPECT_EQ(1, result.status) << c.answer;
+		EXPECT_NE(std::string::npos, result.output.find(c.answer)) << c.answer << "\n" << result.output.substr(0, 1000);
+		EXPECT_NE(std::string::npos, result.output.find(file.string() + "' is no list of records")) << c.answer;
+		EXPECT_NE(std::string::npos, result.output.find("delete it, and it is computed again")) << c.answer;
+		EXPECT_LT(result.output.size(), 1000u) << c.answer;
+	}
+	// Nothing beside the folder.
+	EXPECT_EQ(2, std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
+	std::ofstream(file) << whole;
+	EXPECT_EQ(0, report("").status);
+}
+
+TEST_F(Report, TextIsEscaped)
+{
+	ASSERT_EQ(0, report("").status);
+	const fs::path cases = m_folder / "out" / "cases";
+	const std::string text = "<script>alert(\"1 & 2\")</script>";
+	for (const auto& file : fs::directory_iterator(cases))
+	{
+		json list = json::parse(read(file.path()));
+		for (json& record : list)
+			record["quantity"] = text;
+		std::ofstream(file.path()) << list;
+	}
+	const json trial = {{"group", text},      {"trial", text},        {"solver", "direct"},
+						{"joint_class", "-"}, {"precision", "float"}, {"complaint", text},
+						{"value", json()},    {"exact", json()},      {"energy_created", json()},
+						{"run_time_s", 1}};
+	std::ofstream(cases / "stability.float.json") << json::array({trial});
+	ASSERT_EQ(0, report("").status);
+	const std::string page = read(m_folder / "out" / "report.html");
+	EXPECT_EQ(std::string::npos, page.find("<script"));
+	const std::string shown = "&lt;script&gt;alert(&quot;1 &amp; 2&quot;)&lt;/script&gt;";
+	size_t count = 0;
+	for (size_t i = page.find(shown); i != std::string::npos; i = page.find(shown, i + 1))
+		++count;
+	// The quantity once; group and trial in a cell, the complaint in another one.
+	EXPECT_EQ(4u, count);
+}
+
 TEST_F(Report, EndsWhenItIsInterrupted)
 {
 	// Programs that end as by Ctrl-C, beside a report of its own.

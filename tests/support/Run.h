@@ -21,11 +21,12 @@ inline void makeKinematic(btRigidBody& body)
 	body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
 }
 
+inline bool isFinite(const btVector3& v) { return btElasticPlasticIsFinite(v.x() + v.y() + v.z()); }
+
 inline bool isFinite(const btRigidBody& body)
 {
-	return btElasticPlasticIsFinite(body.getCenterOfMassPosition().length()) &&
-		   btElasticPlasticIsFinite(body.getLinearVelocity().length()) &&
-		   btElasticPlasticIsFinite(body.getAngularVelocity().length());
+	return isFinite(body.getCenterOfMassPosition()) && isFinite(body.getLinearVelocity()) &&
+		   isFinite(body.getAngularVelocity());
 }
 
 #endif  // EP_TEST_RUN_H

@@ -92,27 +92,33 @@ btScalar Bridge::beamSag(btScalar gravity) const
 
 double Bridge::exactSag(btScalar gravity) const
 {
-	// The moment at a node, M0 - w x (L - x) / 2, turns the next block by M / k against the one before; M0 is such that all
-	// turns together are none, for both ends are clamped. By symmetry only the left half matters.
+	// The shear force at a node, w (x - L / 2), and the moment, M0 + w x (L - x) / 2, turn the next block against the one before and
+	// shift it; M0 is such that all turns together are none, for both ends are clamped. By symmetry only the left half matters.
 	const int n = m_settings.blocks;
 	const double length = double(deck().m_partLength), load = double(deck().blockMass() * gravity) / length;
 	const auto parabola = [&](int i) { return load * i * length * (n - i) * length / 2; };
+	// By the joint at a node, with M0.
+	const auto deformation = [&](int i, double moment0, int dof)
+	{
+		btScalar force[BT_EP_DOF_COUNT] = {};
+		force[BT_EP_SHEAR_Y] = btScalar(load * (i - n / 2.) * length);
+		force[BT_EP_BENDING_Z] = btScalar(moment0 + parabola(i));
+		return double(deck().m_jointAt[i]->getCapacity().elasticDeformation(force, dof));
+	};
 	double turns = 0, softness = 0;
 	for (int i = 0; i <= n; ++i)
 	{
-		const double k = double(deck().m_jointAt[i]->getCapacity().m_stiffness[BT_EP_BENDING_Z]);
-		turns += parabola(i) / k;
-		softness += 1 / k;
+		turns += deformation(i, 0, BT_EP_BENDING_Z);
+		softness += 1 / double(deck().m_jointAt[i]->getCapacity().m_stiffness[BT_EP_BENDING_Z]);
 	}
-	double sag = 0, slope = 0;
+	const double moment0 = -turns / softness;
+	double rise = 0, slope = 0;
 	for (int i = 0; i < n / 2; ++i)
 	{
-		const btElasticPlasticCapacity& joint = deck().m_jointAt[i]->getCapacity();
-		slope += (turns / softness - parabola(i)) / double(joint.m_stiffness[BT_EP_BENDING_Z]);
-		sag += load * (n / 2. - i) * length / double(joint.m_stiffness[BT_EP_SHEAR_Y]);
-		sag += slope * length * (i + 1 < n / 2 ? 1 : .5);
+		slope += deformation(i, moment0, BT_EP_BENDING_Z);
+		rise += deformation(i, moment0, BT_EP_SHEAR_Y) + slope * length * (i + 1 < n / 2 ? 1 : .5);
 	}
-	return sag;
+	return -rise;
 }
 
 btScalar Bridge::supportForce() const

@@ -4,9 +4,9 @@
 #include "vehicle/RouteFile.h"
 
 #include <algorithm>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "json/JsonFile.h"
 
 namespace ep
 {
@@ -22,10 +22,10 @@ void checkKeys(const Json& object, const std::vector<std::string>& known, const 
 	for (const std::string& key : known)
 		all += (all.empty() ? "" : ", ") + key;
 	if (!object.is_object())
-		refuse(where + " must be an object with the keys " + all);
+		refuse(where + " is " + shown(object) + "; it must be an object with the keys " + all);
 	for (const auto& item : object.items())
 		if (std::find(known.begin(), known.end(), item.key()) == known.end())
-			refuse(where + " has the unknown key '" + item.key() + "'; known are " + all);
+			refuse(where + " has the unknown key " + shown(item.key()) + "; known are " + all);
 }
 
 btScalar number(const Json& leg, const char* key, double otherwise, double low, double high, const std::string& where)
@@ -34,7 +34,7 @@ btScalar number(const Json& leg, const char* key, double otherwise, double low, 
 		return btScalar(otherwise);
 	const Json& value = leg.at(key);
 	if (!value.is_number() || !(value.get<double>() >= low && value.get<double>() <= high))
-		refuse(where + ": " + key + " is " + value.dump() + "; it must be a number from " + Json(low).dump() + " to " +
+		refuse(where + ": " + key + " is " + shown(value) + "; it must be a number from " + Json(low).dump() + " to " +
 			   Json(high).dump());
 	return btScalar(value.get<double>());
 }
@@ -52,7 +52,7 @@ Leg toLeg(const Json& json, const std::string& where)
 	if (json.contains("stop"))
 	{
 		if (!json.at("stop").is_boolean())
-			refuse(where + ": stop is " + json.at("stop").dump() + "; it must be true or false");
+			refuse(where + ": stop is " + shown(json.at("stop")) + "; it must be true or false");
 		leg.stops = json.at("stop").get<bool>();
 	}
 	return leg;
@@ -61,23 +61,19 @@ Leg toLeg(const Json& json, const std::string& where)
 
 Route readRoute(const std::string& file)
 {
-	std::ifstream stream(file);
-	if (!stream)
-		refuse("cannot read the autopilot's file '" + file + "' (--autopilot)");
-	const std::string where = "autopilot's file '" + file + "'";
+	const std::string where = "the autopilot's file '" + file + "' (--autopilot)";
 	Json json;
 	try
 	{
-		json = Json::parse(stream);
+		json = readJson(file);
 	}
-	// A syntax error, a number without bounds, or a directory.
 	catch (const std::exception& error)
 	{
-		refuse(where + " is no JSON: " + error.what());
+		refuse(where + ": " + error.what());
 	}
 	checkKeys(json, {"legs"}, where);
 	if (!json.contains("legs") || !json.at("legs").is_array() || json.at("legs").empty())
-		refuse(where + " must have the key legs, a list of at least one");
+		refuse(where + " must have the key legs, a list of at least one, such as [{\"to_x_m\": 60}]");
 	Route route;
 	for (const Json& leg : json.at("legs"))
 		route.push_back(toLeg(leg, where + ", leg " + std::to_string(route.size() + 1)));

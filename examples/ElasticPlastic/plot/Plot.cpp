@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "text/Markup.h"
+
 namespace ep
 {
 namespace
@@ -36,14 +38,6 @@ double roundDown(double value)
 		if (digit * power < value * (1 + 1e-9))
 			return digit * power;
 	return power;
-}
-
-std::string escaped(const std::string& text)
-{
-	std::string out;
-	for (const char c : text)
-		out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
-	return out;
 }
 
 /// From values to pixels, with ticks where people expect them.

@@ -19,8 +19,10 @@ BlockUnderTension::BlockUnderTension(const Settings& s, std::unique_ptr<btConstr
 	m_block = m_world.body(s.mass, m_world.box(btVector3(1, 3, 1)), btTransform(body), s.ground);
 	if (!s.held)
 		return;
+	const btScalar support = 0, block = 3;
 	btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
-		btElasticPlasticMaterial::reinforcedConcrete(s.steelShare), btElasticPlasticSection::rectangle(1, 1), 0, 3);
+		btElasticPlasticMaterial::reinforcedConcrete(s.steelShare), btElasticPlasticSection::rectangle(1, 1),
+		s.blockFirst ? block : support, s.blockFirst ? support : block);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		capacity.m_ductility[i] = i == BT_EP_AXIAL ? s.ductility : btElasticPlasticCapacity::unlimited();
 	m_joint = s.blockFirst ? m_world.joint(*m_block, *m_support, m_top, capacity)

@@ -8,7 +8,7 @@ namespace ep
 namespace
 {
 /// E A / l, G A_s / l, G J / l, E I / l. (btElasticPlasticCapacity::fromMember also counts how the parts themselves bend
-/// under shear; the reference values are without.)
+/// under shear, and how that turns them; the reference values are without.)
 btElasticPlasticCapacity lumped(const Member::Settings& s, btScalar lengthA, btScalar lengthB)
 {
 	const btElasticPlasticSection section = btElasticPlasticSection::rectangle(s.width, s.height);
@@ -16,6 +16,7 @@ btElasticPlasticCapacity lumped(const Member::Settings& s, btScalar lengthA, btS
 	for (int i = 0; i < 2; ++i)
 		c.m_stiffness[BT_EP_SHEAR_Y + i] =
 			s.material.shearModulus() * section.m_shearArea[i] / ((lengthA + lengthB) / 2);
+	c.m_coupling[0] = c.m_coupling[1] = c.m_length = 0;
 	for (btScalar& ductility : c.m_ductility)
 		ductility = btElasticPlasticCapacity::unlimited();
 	return c;

@@ -126,14 +126,20 @@ private:
 		// What was in the springs is lost with them.
 		if (joint.isBroken())
 			return before.m_plastic + joint.getElasticEnergy();
+		const btElasticPlasticCapacity& c = joint.getCapacity();
+		double mean[BT_EP_DOF_COUNT];
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		{
-			const btElasticPlasticCapacity& c = joint.getCapacity();
-			const double force = double(joint.getForce(dof)), mean = (force + before.m_force[dof]) / 2;
-			if (c.isElasticPlastic(dof) && !c.isRigidPlastic(dof))
-				energy += 0.5 * mean * mean / double(c.m_stiffness[dof]);
+			const double force = double(joint.getForce(dof));
+			mean[dof] = (force + before.m_force[dof]) / 2;
 			before.m_force[dof] = force;
+			if (c.isElasticPlastic(dof) && !c.isRigidPlastic(dof))
+				energy += 0.5 * mean[dof] * mean[dof] / double(c.m_stiffness[dof]);
 		}
+		if (joint.getState().m_solvedExactly)
+			for (int dof = BT_EP_SHEAR_Y; dof <= BT_EP_SHEAR_Z; ++dof)
+				energy +=
+					mean[dof] * mean[btElasticPlasticCapacity::coupledWith(dof)] * double(c.couplingCompliance(dof));
 		return energy;
 	}
 

@@ -7,6 +7,12 @@
 
 namespace ep
 {
+namespace
+{
+const double SHORTEST = 1e-12, LONGEST = 1e9;  // times [s]
+const int MOST = 1000000000;
+}  // namespace
+
 std::string nameOf(const Family& family)
 {
 	const std::string scheme = nameOf(schemes(), family.scheme);
@@ -16,22 +22,22 @@ std::string nameOf(const Family& family)
 
 const std::vector<Column<Record>>& Record::columns()
 {
-	static const std::vector<Column<Record>> all = {column("problem", &Record::problem),
+	static const std::vector<Column<Record>> all = {fileName("problem", &Record::problem),
 													column("quantity", &Record::quantity),
-													column("dt_s", &Record::dt),
-													column("substeps", &Record::substeps),
+													column("dt_s", &Record::dt, SHORTEST, LONGEST),
+													column("substeps", &Record::substeps, 1, MOST),
 													column("solver", &Record::solver, reportSolvers()),
-													column("iterations", &Record::iterations),
+													column("iterations", &Record::iterations, 0, MOST),
 													column("scheme", &Record::scheme, schemes()),
 													column("joint_class", &Record::jointClass, jointClasses()),
 													column("precision", &Record::precision, precisions()),
 													column("value", &Record::value, HUGE_VAL),
 													column("exact", &Record::exact, HUGE_VAL),
 													column("error", &Record::error, HUGE_VAL),
-													column("run_time_s", &Record::runTime),
+													column("run_time_s", &Record::runTime, SHORTEST, LONGEST),
 													column("energy_audit", &Record::energyAudit, HUGE_VAL),
-													column("simulated_s", &Record::simulated),
-													column("steps", &Record::steps),
+													column("simulated_s", &Record::simulated, SHORTEST, LONGEST),
+													column("steps", &Record::steps, 1, MOST),
 													column("budget", &Record::budget, 0)};
 	return all;
 }
@@ -48,7 +54,7 @@ const std::vector<Column<TrialRecord>>& TrialRecord::columns()
 		column("value", &TrialRecord::value, HUGE_VAL),
 		column("exact", &TrialRecord::exact, HUGE_VAL),
 		column("energy_created", &TrialRecord::energyCreated, HUGE_VAL),
-		column("run_time_s", &TrialRecord::runTime)};
+		column("run_time_s", &TrialRecord::runTime, 0., LONGEST)};
 	return all;
 }
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 namespace ep
 {
@@ -23,11 +22,10 @@ Records readRecords(const std::string& folder)
 	for (const fs::path& file : files)
 		try
 		{
-			std::ifstream stream(file);
-			const json list = json::parse(stream);
+			const json list = readJson(file.string());
 			if (!list.is_array())
-				throw std::runtime_error("a list is an array");
-			const bool ofTrials = !list.empty() && list[0].contains("trial");
+				throw std::runtime_error("it is " + shown(list));
+			const bool ofTrials = !list.empty() && list[0].is_object() && list[0].contains("trial");
 			for (const Record& record : ofTrials ? std::vector<Record>() : fromJson(Record::columns(), list))
 				all.ofProblems.push_back(record);
 			for (const TrialRecord& record :

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "text/Markup.h"
+
 namespace ep
 {
 std::string percent(double share)
@@ -49,15 +51,15 @@ const int LEFT = 170, TOP = 40, LINE = 15, ROW = 24, LETTER = 7, GAP = 14;
 std::string Grid::html() const
 {
 	std::ostringstream out;
-	out << "<h2>" << title << "</h2><p>" << what << "</p>\n<table><tr><th>Problem</th>";
+	out << "<h2>" << escaped(title) << "</h2><p>" << escaped(what) << "</p>\n<table><tr><th>Problem</th>";
 	for (const std::string& column : columns)
-		out << "<th>" << column << "</th>";
+		out << "<th>" << escaped(column) << "</th>";
 	out << "</tr>\n";
 	for (const Row& row : rows)
 	{
-		out << "<tr><td><a href=\"#" << row.name << "\">" << row.name << "</a></td>";
+		out << "<tr><td><a href=\"#" << escaped(row.name) << "\">" << escaped(row.name) << "</a></td>";
 		for (const Cell& cell : row.cells)
-			out << "<td style=\"background:" << shadeOf(cell.error) << "\">" << cell.text << "</td>";
+			out << "<td style=\"background:" << shadeOf(cell.error) << "\">" << escaped(cell.text) << "</td>";
 		out << "</tr>\n";
 	}
 	out << "</table>\n";
@@ -83,9 +85,13 @@ std::string Grid::svg() const
 	out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " << width << " " << height << "\" width=\""
 		<< width << "\" height=\"" << height << "\" font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\""
 		<< width << "\" height=\"" << height
-		<< "\" fill=\"#fff\"/>\n<text x=\"8\" y=\"22\" font-size=\"16\" font-weight=\"bold\">" << title << "</text>\n";
+		<< "\" fill=\"#fff\"/>\n<text x=\"8\" y=\"22\" font-size=\"16\" font-weight=\"bold\">" << escaped(title)
+		<< "</text>\n";
 	const auto text = [&](int x, int y, const std::string& words, const char* anchor)
-	{ out << "<text x=\"" << x << "\" y=\"" << y << "\" text-anchor=\"" << anchor << "\">" << words << "</text>\n"; };
+	{
+		out << "<text x=\"" << x << "\" y=\"" << y << "\" text-anchor=\"" << anchor << "\">" << escaped(words)
+			<< "</text>\n";
+	};
 	int x = LEFT;
 	for (size_t c = 0; c < columns.size(); ++c)
 	{

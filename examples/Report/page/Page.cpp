@@ -7,6 +7,7 @@
 
 #include "page/Sections.h"
 #include "page/Tables.h"
+#include "text/Markup.h"
 
 namespace ep
 {
@@ -21,7 +22,7 @@ std::string htmlOf(const ByProblem& problems, const std::vector<TrialRecord>& tr
 		   "th{background:#f4f4f4}svg{width:100%;max-width:1100px;height:auto}</style>\n"
 		   "<h1>Error against run time</h1>\n<table>";
 	for (const auto& line : stamp)
-		out << "<tr><td>" << line.first << "</td><td>" << line.second << "</td></tr>";
+		out << "<tr><td>" << escaped(line.first) << "</td><td>" << escaped(line.second) << "</td></tr>";
 	out << "</table>\n<p>What to take: our joints with <code>btElasticPlasticConstraintSolver</code> in its direct "
 		   "form, and "
 		   "<code>btElasticPlasticStepper</code> for the error you allow. Here is what that gives and costs beside all "
@@ -35,7 +36,8 @@ std::string htmlOf(const ByProblem& problems, const std::vector<TrialRecord>& tr
 	writeStability(out, trials);
 	for (const std::string& name : problems.names)
 	{
-		out << "<h2 id=\"" << name << "\">" << name << "</h2><p>" << problems.quantity.at(name) << "</p>\n";
+		out << "<h2 id=\"" << escaped(name) << "\">" << escaped(name) << "</h2><p>"
+			<< escaped(problems.quantity.at(name)) << "</p>\n";
 		writeProblem(out, name, problems.records.at(name));
 	}
 	out << "</html>\n";

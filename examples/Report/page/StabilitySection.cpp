@@ -7,6 +7,7 @@
 #include <map>
 
 #include "page/Sections.h"
+#include "text/Markup.h"
 
 namespace ep
 {
@@ -31,16 +32,16 @@ void writeStability(std::ostream& out, const std::vector<TrialRecord>& trials)
 		   "one is "
 		   "known. Other cells tell what went wrong.</p>\n<table><tr><th></th>";
 	for (const std::string& column : columns)
-		out << "<th>" << column << "</th>";
+		out << "<th>" << escaped(column) << "</th>";
 	out << "</tr>\n";
 	for (const std::string& row : rows)
 	{
-		out << "<tr><td>" << row << "</td>";
+		out << "<tr><td>" << escaped(row) << "</td>";
 		for (const std::string& column : columns)
 		{
 			const TrialRecord* const t = table[row][column];
 			const char* const shade = !t ? "#eee" : t->complaint.empty() ? "#91cf60" : "#fc8d59";
-			out << "<td style=\"background:" << shade << "\">" << (t ? t->complaint : "") << "</td>";
+			out << "<td style=\"background:" << shade << "\">" << (t ? escaped(t->complaint) : "") << "</td>";
 		}
 		out << "</tr>\n";
 	}

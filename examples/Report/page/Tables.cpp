@@ -8,6 +8,7 @@
 
 #include "judge/Families.h"
 #include "judge/Judgement.h"
+#include "text/Format.h"
 
 namespace ep
 {
@@ -76,12 +77,11 @@ namespace
 /// Error, substeps, and the time over that of others, which may be null.
 std::string profileText(const Record& mine, const Record* best, const Record* luckiest)
 {
-	char text[96];
-	int n = snprintf(text, sizeof text, "%s, %.1f", percent(mine.error).c_str(), mine.steps * mine.dt / mine.simulated);
+	std::string text = format("%s, %.1f", percent(mine.error).c_str(), mine.steps * mine.dt / mine.simulated);
 	if (best)
-		n += snprintf(text + n, sizeof text - n, ", x %.1f", mine.cost() / best->cost());
+		text += format(", x %.1f", mine.cost() / best->cost());
 	if (luckiest && luckiest != best)
-		snprintf(text + n, sizeof text - n, " (%.1f)", mine.cost() / luckiest->cost());
+		text += format(" (%.1f)", mine.cost() / luckiest->cost());
 	return text;
 }
 }  // namespace

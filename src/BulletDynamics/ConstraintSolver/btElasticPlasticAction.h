@@ -55,7 +55,7 @@ public:
 	void setListener(btElasticPlasticListener* listener);
 
 	/// Takes the oldest event from the queue. \return false if there is none.
-	/// A joint makes at most two between repairs, so an unread queue stays bounded.
+	/// The queue holds the newest yield and the newest break of each joint that the action knows: unread, it stays bounded.
 	bool popEvent(btElasticPlasticEvent& event);
 
 	/// Sum of the substeps seen [s].

@@ -5,9 +5,17 @@
 
 #include "LinearMath/btMinMax.h"
 
+namespace
+{
+/// Index of m_coupling: 0 of shear y and bending z, 1 of shear z and bending y.
+int planeOf(int dof) { return dof == BT_EP_SHEAR_Y || dof == BT_EP_BENDING_Z ? 0 : 1; }
+}  // namespace
+
 btElasticPlasticCapacity::btElasticPlasticCapacity(btElasticPlasticOwnPrecision)
 {
 	m_rigidPlastic = 0;
+	m_coupling[0] = m_coupling[1] = 0;
+	m_length = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		clear(i);
 }
@@ -23,6 +31,8 @@ void btElasticPlasticCapacity::set(int dof, btScalar stiffness, btScalar yield, 
 	m_yield[dof] = yield;
 	m_ductility[dof] = ductility;
 	m_rigidPlastic &= ~(1u << dof);
+	if (coupledWith(dof) >= 0)
+		m_coupling[planeOf(dof)] = 0;
 }
 
 void btElasticPlasticCapacity::setRigidPlastic(int dof, btScalar yield, btScalar ductility)
@@ -62,7 +72,39 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 				"greater than 0 where there is a yield value, at least 1e-20 (or rigid-plastic, by setRigidPlastic)",
 				i);
 	}
+	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("length that bows [m]", m_length))
+		return f;
+	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z; ++i)
+		if (!btElasticPlasticIsFinite(double(m_coupling[planeOf(i)])) || !(btFabs(m_coupling[planeOf(i)]) < 1))
+			return btElasticPlasticFault("coupling of shear and bending", m_coupling[planeOf(i)],
+										 "greater than -1 and less than 1", i);
 	return btElasticPlasticFault();
+}
+
+btScalar btElasticPlasticCapacity::couplingCompliance(int dof) const
+{
+	const int other = coupledWith(dof);
+	const bool areSprings = other >= 0 && isElasticPlastic(dof) && !isRigidPlastic(dof) && isElasticPlastic(other) &&
+							!isRigidPlastic(other);
+	return areSprings ? m_coupling[planeOf(dof)] / (btSqrt(m_stiffness[dof]) * btSqrt(m_stiffness[other]))
+					  : btScalar(0);
+}
+
+btScalar btElasticPlasticCapacity::elasticMiddle(int shear) const
+{
+	if (shear != BT_EP_SHEAR_Y && shear != BT_EP_SHEAR_Z)
+		return 0;
+	// A force V at s makes the turn (M - s V_y) / k at the joint, or (M + s V_z) / k: x cross y is z, x cross z is -y.
+	const btScalar turn = couplingCompliance(shear) * m_stiffness[coupledWith(shear)];
+	return shear == BT_EP_SHEAR_Y ? -turn : turn;
+}
+
+btScalar btElasticPlasticCapacity::elasticDeformation(const btScalar force[BT_EP_DOF_COUNT], int dof) const
+{
+	if (!(m_stiffness[dof] > 0))
+		return 0;
+	const btScalar own = force[dof] / m_stiffness[dof], coupling = couplingCompliance(dof);
+	return coupling != 0 ? own + coupling * force[coupledWith(dof)] : own;
 }
 
 btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPlasticMaterial& material,
@@ -106,5 +148,11 @@ btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPla
 		c.set(BT_EP_BENDING_Y + i, E * section.m_secondMoment[i] / l, section.m_plasticModulus[i] * fy,
 			  plastic / section.m_outerFibre[1 - i]);
 	}
+	c.m_length = l;
+	// Of the sign, see elasticMiddle().
+	const btScalar middle = (b - a) / 2;
+	for (int i = 0; i < 2; ++i)
+		c.m_coupling[i] =
+			(i == 0 ? -middle : middle) * btSqrt(c.m_stiffness[BT_EP_SHEAR_Y + i] / c.m_stiffness[BT_EP_BENDING_Z - i]);
 	return c;
 }

@@ -23,15 +23,24 @@ struct btElasticPlasticCapacity
 		[BT_EP_DOF_COUNT];  ///< [N/m], [N m/rad], finite, >= 0; a steel bar of 1 cm^2 and 1 m has 2e7 N/m. Of a rigid-plastic degree of freedom: not used
 	btScalar m_yield[BT_EP_DOF_COUNT];      ///< force or moment at which it flows [N], [N m], finite, >= 0
 	btScalar m_ductility[BT_EP_DOF_COUNT];  ///< plastic deformation at which the joint breaks [m], [rad], finite, > 0
-	unsigned m_rigidPlastic;                ///< bit i: degree of freedom i does not spring, it only flows
-	btElasticPlasticFault m_fault;          ///< of the material, section or length it was made from
+	/// Of shear y with bending z, and of shear z with bending y: the compliance between the two over the root of the product of
+	/// their own, 1/k each; greater than -1 and less than 1. By it the force of one deforms the other, as where the joint is not
+	/// in the middle of what is elastic (see fromMember()). 0: each springs by itself. Only between springs, and only in the
+	/// direct form of btElasticPlasticConstraintSolver: others leave it out.
+	btScalar m_coupling[2];
+	/// Length l of the member that bends between the bodies' centres [m], finite, >= 0. It bows: its ends come together by l / 12 times
+	/// the square of the elastic turn less than those of two straight parts, which counts where an axial force may buckle it. 0: it
+	/// does not.
+	btScalar m_length;
+	unsigned m_rigidPlastic;        ///< bit i: degree of freedom i does not spring, it only flows
+	btElasticPlasticFault m_fault;  ///< of the material, section or length it was made from
 
 	/// Nothing is elastic-plastic, ductility unlimited.
 	btElasticPlasticCapacity(btElasticPlasticOwnPrecision = {});
 
 	/// Elastic-plastic in one degree of freedom, by hand.
 	/// stiffness >= leastStiffness(), yield > 0 (or unlimited()), ductility > 0 (or unlimited()). With a degree of freedom outside
-	/// of 0 to 5, here and below, the capacity is refused by setCapacity().
+	/// of 0 to 5, here and below, the capacity is refused by setCapacity(). It springs by itself: what coupling it had is gone.
 	void set(int dof, btScalar stiffness, btScalar yield, btScalar ductility = unlimited());
 
 	/// Rigid-plastic in one degree of freedom: no spring, it holds up to yield and then flows.
@@ -48,6 +57,22 @@ struct btElasticPlasticCapacity
 	bool isElasticPlastic(int dof) const { return btElasticPlasticIsDof(dof) && m_yield[dof] > 0; }
 	bool isRigidPlastic(int dof) const { return isElasticPlastic(dof) && (m_rigidPlastic >> dof & 1u); }
 
+	/// The degree of freedom that one may be coupled with, -1: none.
+	static int coupledWith(int dof)
+	{
+		return btElasticPlasticIsDof(dof) && dof % 3 != 0 ? BT_EP_SHEAR_Y + BT_EP_BENDING_Z - dof : -1;
+	}
+
+	/// Deformation of a degree of freedom by the force of the one that it is coupled with [1/N], [rad/(N m)]; 0: none.
+	btScalar couplingCompliance(int dof) const;
+
+	/// Where along x from the joint a force along y or z (BT_EP_SHEAR_Y, BT_EP_SHEAR_Z) makes no turn, and a moment no shift [m]; 0
+	/// without coupling, as where the joint stands there itself.
+	btScalar elasticMiddle(int shear) const;
+
+	/// Elastic deformation under the given forces [m], [rad]; 0 where there is no spring.
+	btScalar elasticDeformation(const btScalar force[BT_EP_DOF_COUNT], int dof) const;
+
 	/// First value that is out of its range; yield without stiffness is one, unless rigid-plastic.
 	btElasticPlasticFault fault() const;
 
@@ -61,13 +86,20 @@ struct btElasticPlasticCapacity
 
 	/// Capacity of the joint between two rigid parts of one member, which stands for the member between the parts' centres.
 	///
-	/// \param lengthA, lengthB  lengths of the two parts along the member [m], >= 0 and not both 0; a support that does not deform has 0.
+	/// \param lengthA, lengthB  lengths of the two parts along the member [m], >= 0 and not both 0; a support that does not deform has
+	///                          0. A is the part on the side to which the joint's x axis points away: the joint's body A if the
+	///                          axis points from A to B, as it does where positive axial force is to be tension.
 	/// \param gaugeLength       length over which plastic strain spreads when it tears [m], > 0; 0: the length l below.
 	///
 	/// With a = lengthA/2, b = lengthB/2, l = a + b, and A etc. times the material's load-bearing share:
 	///  - axial E A / l, torsion G J / l, bending E I / l;
 	///  - shear 1 / (l/(G A_s) + (a^3 + b^3)/(3 E I)): the second part is the bending of the two halves as cantilevers under
 	///    the joint's shear force, which a joint at one point does not see otherwise; it matters where parts are longer than high;
+	///  - coupling of shear and bending: what is elastic has its middle at s = (b - a)/2 along x from the joint, where a shear force
+	///    makes no turn and a moment no shift. At the joint the turn is (M - s V_y) l/(E I), and so for the other plane with -s: with
+	///    this a frame of members is as stiff as by matrix analysis, with one part a member. Yield is asked of the section's forces
+	///    at the joint;
+	///  - length of the bow, l;
 	///  - yields N = A f_y, Q = A_v tau_y, T = W_T tau_y, M = W_pl f_y (paper, equations 10 to 14 and Table IV);
 	///  - ductility: elongation e_u g, slip (f_y/tau_y) e_u g, rotation e_u g / c, twist (f_y/tau_y) e_u g / c,
 	///    with the ultimate plastic strain e_u, gauge length g and distance c of the outer fibre.

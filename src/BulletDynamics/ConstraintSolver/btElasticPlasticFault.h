@@ -31,14 +31,30 @@ struct btElasticPlasticFault
 	void print(char* text, int capacity) const;
 };
 
+// Games compile with -ffast-math, which lets the compiler drop isfinite() and x == x, and turn !(x > 0) into x <= 0: the bits tell
+// instead. Clang from version 18 on knows that, too, and takes what has been computed for finite; what is read from memory may
+// be anything.
+
+/// The bits of a number without its sign.
+inline unsigned long long btElasticPlasticMagnitudeBits(double value)
+{
+	const volatile double inMemory = value;
+	const double read = inMemory;
+	unsigned long long bits;
+	memcpy(&bits, &read, sizeof bits);
+	return bits & 0x7fffffffffffffffull;
+}
+
 /// True for numbers that are neither NaN nor infinite, whatever the compiler assumes of mathematics.
 inline bool btElasticPlasticIsFinite(double value)
 {
-	// Games compile with -ffast-math, which lets the compiler drop isfinite(): look at the exponent instead.
-	unsigned long long bits;
-	memcpy(&bits, &value, sizeof bits);
-	const unsigned long long exponent = 0x7ff0000000000000ull;
-	return (bits & exponent) != exponent;
+	return btElasticPlasticMagnitudeBits(value) < 0x7ff0000000000000ull;
+}
+
+/// True for all but NaN, whatever the compiler assumes of mathematics.
+inline bool btElasticPlasticIsNumber(double value)
+{
+	return btElasticPlasticMagnitudeBits(value) <= 0x7ff0000000000000ull;
 }
 
 /// Fault for a value that is not a finite number greater than zero.

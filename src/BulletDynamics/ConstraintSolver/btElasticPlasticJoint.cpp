@@ -24,7 +24,7 @@ btElasticPlasticJoint::~btElasticPlasticJoint()
 	delete m_works;
 }
 
-btElasticPlasticJoint* btElasticPlasticJoint::from(btTypedConstraint* constraint)
+btElasticPlasticJoint* btElasticPlasticJoint::from(btTypedConstraint* constraint, btElasticPlasticOwnPrecision)
 {
 	const JointWorks* const works = JointWorks::from(constraint);
 	return works ? &works->m_joint : nullptr;

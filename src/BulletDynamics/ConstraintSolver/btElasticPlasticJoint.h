@@ -6,6 +6,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "btElasticPlasticCapacity.h"
+#include "btElasticPlasticPrecision.h"
 #include "btElasticPlasticState.h"
 
 namespace btElasticPlastic
@@ -130,7 +131,7 @@ public:
 	btTransform getFrameB() const;
 
 	/// Finds the elastic-plastic joint of a constraint without run-time type information. \return null if it has none
-	static btElasticPlasticJoint* from(btTypedConstraint* constraint);
+	static btElasticPlasticJoint* from(btTypedConstraint* constraint, btElasticPlasticOwnPrecision = {});
 
 	btElasticPlasticJoint(const btElasticPlasticJoint&) = delete;
 	btElasticPlasticJoint& operator=(const btElasticPlasticJoint&) = delete;

@@ -13,9 +13,9 @@ btElasticPlasticFault btElasticPlasticMaterial::fault() const
 		return f;
 	if (btElasticPlasticFault f = btElasticPlasticCheckPositive("ultimate plastic strain", m_ultimatePlasticStrain))
 		return f;
-	if (!(m_poissonsRatio > -1 && m_poissonsRatio <= btScalar(0.5)))
+	if (!(btElasticPlasticIsFinite(m_poissonsRatio) && m_poissonsRatio > -1 && m_poissonsRatio <= btScalar(0.5)))
 		return btElasticPlasticFault("Poisson's ratio", m_poissonsRatio, "greater than -1 and at most 0.5");
-	if (!(m_loadBearingShare > 0 && m_loadBearingShare <= 1))
+	if (!(btElasticPlasticIsFinite(m_loadBearingShare) && m_loadBearingShare > 0 && m_loadBearingShare <= 1))
 		return btElasticPlasticFault("load-bearing share of the section", m_loadBearingShare,
 									 "greater than 0 and at most 1");
 	return btElasticPlasticFault();

@@ -6,8 +6,9 @@
 
 #include "LinearMath/btScalar.h"
 
-/// A game and the library it links have to be built with the same precision of Bullet (BT_USE_DOUBLE_PRECISION). Constructors take
-/// this tag without being given it, so that its type is a part of their names: mixed precisions do not link.
+/// A game and the library it links have to be built with the same precision of Bullet (BT_USE_DOUBLE_PRECISION). What a
+/// program begins with, constructors and btElasticPlasticJoint::from(), takes this tag without being given it, so that its type is a
+/// part of their names: mixed precisions do not link.
 template <class Scalar>
 struct btElasticPlasticPrecision
 {

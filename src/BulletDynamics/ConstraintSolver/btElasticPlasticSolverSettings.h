@@ -7,7 +7,7 @@
 #include "btElasticPlasticFault.h"
 
 /// How islands with elastic-plastic joints are solved.
-enum btElasticPlasticForm
+enum btElasticPlasticForm : int  // of a fixed type: a value that is none can be passed, and is refused
 {
 	BT_EP_DIRECT,    ///< exactly, by a sparse factorisation, contacts and other constraints included
 	BT_EP_ITERATIVE  ///< by Bullet's sequential impulses with exact soft rows: as good as its iterations
@@ -57,6 +57,10 @@ struct btElasticPlasticSolverSettings
 
 	/// Contacts are exact when what they still slip or penetrate is below this, relative to the fastest approach, > 0.
 	double m_contactTolerance = 1e-3;
+
+	/// Whether the search in a large island, of 600 bodies and more, runs only where rows reach or leave their bounds: around contacts and
+	/// flowing joints. The result is the same up to rounding.
+	bool m_condenses = true;
 
 	/// The most work for an island in a step, in the unit of btElasticPlasticStatistics::m_work, >= 0; 0: no limit. A search that would take
 	/// more is cut (m_cutSearches): impulses obey their bounds and gain no energy, but are not exact. The same program gives the same

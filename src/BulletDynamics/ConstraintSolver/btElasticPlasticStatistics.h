@@ -20,11 +20,15 @@ struct btElasticPlasticStatistics
 	long long m_iterations = 0;             ///< of conjugate gradients with the factor of an earlier step
 	long long m_contactLoops = 0;
 	long long m_looseContacts = 0;  ///< islands whose contacts were not exact when their loops ended
-	long long m_fallbacks = 0;      ///< solutions that are not a number: the island keeps its velocities for the step
+	long long m_fallbacks = 0;      ///< islands left to the iterative form: none any more, see m_cutSearches
 
 	/// What solutions cost, counted and not timed, so that it is the same in every run: in nanoseconds of a processor of 3 GHz,
 	/// roughly. Set-up of rows and sweeps of contacts are not part of it.
 	long long m_work = 0;
+
+	/// Islands, with the iterative form groups of them, of which no result was finite: it was not written, so their bodies have
+	/// kept their velocities, and their joints their state.
+	long long m_notFinite = 0;
 
 	// Where the time went, of all threads together [s].
 	double m_setUpTime = 0;     ///< joints' rows
@@ -50,6 +54,7 @@ struct btElasticPlasticStatistics
 		m_looseContacts += s.m_looseContacts;
 		m_fallbacks += s.m_fallbacks;
 		m_work += s.m_work;
+		m_notFinite += s.m_notFinite;
 		m_setUpTime += s.m_setUpTime;
 		m_analysisTime += s.m_analysisTime;
 		m_assemblyTime += s.m_assemblyTime;

@@ -15,7 +15,6 @@ using namespace btElasticPlastic;
 
 namespace
 {
-const int MAX_LEVEL = btElasticPlasticStepControl::MAX_LEVEL;
 /// The number of successive steps that have to leave little open before the substep is doubled.
 const int CALM_STEPS = 6;
 /// Below this share of the error allowed a step has left little open: with T falling as the square of the substep, twice the
@@ -25,37 +24,37 @@ const double CALM_SHARE = 1. / 8;
 const double NOTHING_SHARE = 1. / 1000;
 /// Below this share of the error the search doubles the substep: twice the substep has four times the T.
 const double SEARCH_SHARE = 1. / 4;
-
-/// Reduces the world's error reduction in proportion to the substep, and restores it.
-class ErrorReduction
-{
-public:
-	void scale(btDynamicsWorld& world, btScalar share)
-	{
-		btContactSolverInfo& info = world.getSolverInfo();
-		m_erp = info.m_erp;
-		m_erp2 = info.m_erp2;
-		m_isScaled = true;
-		info.m_erp *= share;
-		info.m_erp2 *= share;
-	}
-	void restore(btDynamicsWorld& world)
-	{
-		if (!m_isScaled)
-			return;
-		world.getSolverInfo().m_erp = m_erp;
-		world.getSolverInfo().m_erp2 = m_erp2;
-		m_isScaled = false;
-	}
-
-private:
-	btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while scaled
-	bool m_isScaled = false;
-};
 }  // namespace
 
 struct btElasticPlasticStepControl::Works
 {
+	/// Reduces the world's error reduction in proportion to the substep, and restores it.
+	class ErrorReduction
+	{
+	public:
+		void scale(btDynamicsWorld& world, btScalar share)
+		{
+			btContactSolverInfo& info = world.getSolverInfo();
+			m_erp = info.m_erp;
+			m_erp2 = info.m_erp2;
+			m_isScaled = true;
+			info.m_erp *= share;
+			info.m_erp2 *= share;
+		}
+		void restore(btDynamicsWorld& world)
+		{
+			if (!m_isScaled)
+				return;
+			world.getSolverInfo().m_erp = m_erp;
+			world.getSolverInfo().m_erp2 = m_erp2;
+			m_isScaled = false;
+		}
+
+	private:
+		btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while scaled
+		bool m_isScaled = false;
+	};
+
 	double m_error = 0.01;
 	int m_maxLevel = MAX_LEVEL;
 	int m_level = 0;            ///< the substep is the step over 1 << m_level
@@ -79,7 +78,11 @@ struct btElasticPlasticStepControl::Works
 	int getResolvedLevel() const { return 2 + int(ceil(0.5 * log2(1 / m_error))); }
 };
 
-btElasticPlasticStepControl::btElasticPlasticStepControl(double error) : m_works(new Works) { setError(error); }
+btElasticPlasticStepControl::btElasticPlasticStepControl(double error, btElasticPlasticOwnPrecision)
+	: m_works(new Works)
+{
+	setError(error);
+}
 btElasticPlasticStepControl::~btElasticPlasticStepControl() { delete m_works; }
 
 double btElasticPlasticStepControl::getError() const { return m_works->m_error; }
@@ -88,7 +91,7 @@ int btElasticPlasticStepControl::getSubsteps() const { return 1 << m_works->m_le
 
 void btElasticPlasticStepControl::setError(double error)
 {
-	m_works->m_error = error == error ? btMax(1e-6, btMin(1., error)) : 0.01;
+	m_works->m_error = btElasticPlasticIsNumber(error) ? btMax(1e-6, btMin(1., error)) : 0.01;
 	expectBlow();
 }
 

@@ -18,7 +18,7 @@ class btElasticPlasticStepControl
 {
 public:
 	/// \param error  allowed in how much flows, relative; 1e-6 to 1, else the nearer of these, not a number: 0.01
-	explicit btElasticPlasticStepControl(double error = 0.01);
+	explicit btElasticPlasticStepControl(double error = 0.01, btElasticPlasticOwnPrecision = {});
 	~btElasticPlasticStepControl();
 	btElasticPlasticStepControl(const btElasticPlasticStepControl&) = delete;
 	btElasticPlasticStepControl& operator=(const btElasticPlasticStepControl&) = delete;

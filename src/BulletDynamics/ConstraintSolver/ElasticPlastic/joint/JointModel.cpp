@@ -11,10 +11,24 @@ namespace btElasticPlastic
 btTransform JointModel::frameA() const { return bodyA().getCenterOfMassTransform() * m_frameInA; }
 btTransform JointModel::frameB() const { return bodyB().getCenterOfMassTransform() * m_frameInB; }
 
+/// Whether the joint's x axis points from body A to body B. What does not move may have its centre anywhere.
+bool JointModel::pointsTowardsB(const Kinematics& k) const
+{
+	const btScalar a = bodyA().getInvMass() > 0 ? k.m_rA.dot(k.m_axis[0]) : btScalar(0),
+				   b = bodyB().getInvMass() > 0 ? k.m_rB.dot(k.m_axis[0]) : btScalar(0);
+	return a >= b;
+}
+
 void JointModel::measure(Kinematics& kinematics) const
 {
 	kinematics.evaluate(bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB,
 						m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	if (m_capacity.m_length > 0)
+	{
+		const btScalar length = pointsTowardsB(kinematics) ? m_capacity.m_length : -m_capacity.m_length;
+		kinematics.bow(isElasticPlastic(BT_EP_BENDING_Y) ? length : btScalar(0),
+					   isElasticPlastic(BT_EP_BENDING_Z) ? length : btScalar(0));
+	}
 }
 
 RelativeRotation JointModel::relativeRotation() const
@@ -33,7 +47,8 @@ bool isFrame(const btTransform& frame)
 	const btMatrix3x3 product = frame.getBasis().transposeTimes(frame.getBasis());
 	for (int i = 0; i < 3; ++i)
 		for (int j = 0; j < 3; ++j)
-			if (!(btFabs(product[i][j] - btScalar(i == j ? 1 : 0)) < FRAME_TOLERANCE))
+			if (!btElasticPlasticIsFinite(product[i][j]) ||
+				!(btFabs(product[i][j] - btScalar(i == j ? 1 : 0)) < FRAME_TOLERANCE))
 				return false;
 	const btVector3& origin = frame.getOrigin();
 	return frame.getBasis().determinant() > 0 && btElasticPlasticIsFinite(origin.x() + origin.y() + origin.z());
@@ -84,7 +99,10 @@ btElasticPlasticFault JointModel::findStepFault() const
 
 namespace
 {
-bool isRotation(const btQuaternion& q) { return btFabs(q.length2() - 1) < FRAME_TOLERANCE; }
+bool isRotation(const btQuaternion& q)
+{
+	return btElasticPlasticIsFinite(q.length2()) && btFabs(q.length2() - 1) < FRAME_TOLERANCE;
+}
 }  // namespace
 
 bool JointModel::accepts(const btElasticPlasticState& state) const
@@ -98,9 +116,9 @@ bool JointModel::accepts(const btElasticPlasticState& state) const
 			   double(state.m_applied[i]) + (i < 3 ? double(state.m_initial[i]) : 0.);
 		// A force on the yield value may be rounded to either side of it.
 		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * (1 + 8 * SIMD_EPSILON) : btScalar(0);
-		if (!(btFabs(state.m_force[i]) <= most) || !(state.m_plasticPath[i] >= 0))
+		if (btFabs(state.m_force[i]) > most || state.m_plasticPath[i] < 0)
 			return false;
-		sum += double(state.m_plasticPath[i]);
+		sum += double(state.m_plasticPath[i]) + double(state.m_force[i]);
 	}
 	return btElasticPlasticIsFinite(sum) && state.m_plasticEnergy >= 0 && state.m_lastStep >= 0 &&
 		   state.m_withheldStep >= 0 && btElasticPlasticIsFinite(double(state.m_withheldStep)) &&
@@ -156,10 +174,12 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 	{
 		const bool isSpring = m_capacity.isElasticPlastic(i) && !m_capacity.isRigidPlastic(i);
 		const bool wasSpring = before.isElasticPlastic(i) && !before.isRigidPlastic(i);
-		if (!isSpring || !wasSpring || m_capacity.m_stiffness[i] == before.m_stiffness[i])
+		const bool isTheSame = m_capacity.m_stiffness[i] == before.m_stiffness[i] &&
+							   m_capacity.couplingCompliance(i) == before.couplingCompliance(i);
+		if (!isSpring || !wasSpring || isTheSame)
 			continue;
 		// A force beyond a lower yield value flows off in the next step.
-		change[i] = m_state.m_force[i] / before.m_stiffness[i] - m_state.m_force[i] / m_capacity.m_stiffness[i];
+		change[i] = elasticDeformation(before, i) - elasticDeformation(i);
 		m_state.m_forceRate[i] = 0;
 	}
 	moveReference(change);

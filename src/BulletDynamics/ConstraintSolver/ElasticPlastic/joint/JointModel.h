@@ -69,9 +69,13 @@ struct JointModel
 	/// [rad].
 	void moveReference(const btScalar deformation[BT_EP_DOF_COUNT]);
 
-	btScalar elasticDeformation(int dof) const
+	/// That belongs to the present force. Only the direct form knows coupling, and only the implicit law.
+	btScalar elasticDeformation(int dof) const { return elasticDeformation(m_capacity, dof); }
+	btScalar elasticDeformation(const btElasticPlasticCapacity& capacity, int dof) const
 	{
-		return m_capacity.m_stiffness[dof] > 0 ? m_state.m_force[dof] / m_capacity.m_stiffness[dof] : btScalar(0);
+		if (m_state.m_solvedExactly && !m_isPaper)
+			return capacity.elasticDeformation(m_state.m_force, dof);
+		return capacity.m_stiffness[dof] > 0 ? m_state.m_force[dof] / capacity.m_stiffness[dof] : btScalar(0);
 	}
 
 	/// Share of the ductility that is spent, the sum over the degrees of freedom (Miner's rule).
@@ -86,6 +90,7 @@ struct JointModel
 
 private:
 	RelativeRotation relativeRotation() const;
+	bool pointsTowardsB(const Kinematics& k) const;
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
 	void keepForce(const btElasticPlasticCapacity& before);

@@ -6,69 +6,50 @@
 #include "../../btElasticPlasticJoint.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 #include "LinearMath/btHashMap.h"
+#include "../Prefetch.h"
 #include "JointWorks.h"
-#include "Prefetch.h"
 
 namespace btElasticPlastic
 {
 namespace
 {
-/// Removes all elements of which the predicate is true, the others keep their order.
-template <class T, class Predicate>
-void removeIf(btAlignedObjectArray<T>& array, Predicate predicate)
-{
-	int kept = 0;
-	for (int i = 0; i < array.size(); ++i)
-		if (!predicate(array[i]))
-		{
-			if (kept < i)
-				array[kept] = array[i];
-			++kept;
-		}
-	array.resize(kept);
-}
-
 bool joins(const btTypedConstraint& constraint, const btRigidBody& body)
 {
 	return &constraint.getRigidBodyA() == &body || &constraint.getRigidBodyB() == &body;
 }
-
-/// With more joints than this their data no longer fits the second level of a processor's cache.
-const int MANY_JOINTS = 500;
 }  // namespace
+
+void JointRegistry::Entry::setIndex(int index) const { m_joint->m_entry.m_index = index; }
 
 JointRegistry::~JointRegistry()
 {
-	for (int i = 0; i < getNumJoints(); ++i)
-	{
-		endSeparation(getJoint(i));
-		getJoint(i).m_entry.m_registry = nullptr;
-	}
+	while (getNumJoints() > 0)
+		remove(getJoint(0));
 	if (m_isDeleted)
 		*m_isDeleted = true;
 }
 
 // ---- joints
 
-int JointRegistry::getNumJoints()
-{
-	closeGaps();
-	return m_joints.size() + m_broken.size();
-}
-
 JointWorks& JointRegistry::getJoint(int index)
 {
-	closeGaps();
-	return index < m_joints.size() ? *m_joints[index].m_joint : *m_broken[index - m_joints.size()].m_joint;
+	const int holding = m_joints.getCount();
+	return index < holding ? *m_joints.get(index).m_joint : *m_broken.get(index - holding).m_joint;
+}
+
+/// Whether a joint of this registry is in its list of broken ones.
+bool JointRegistry::isBroken(const JointWorks& joint)
+{
+	const int index = joint.m_entry.m_index;
+	return index < m_broken.getEnd() && m_broken[index].m_joint == &joint;
 }
 
 bool JointRegistry::add(JointWorks& joint)
 {
-	joint.setFault(joint.m_model.findFault());
-	if (!joint.m_model.m_fault)
-		joint.setFault(joint.m_model.findMissingWorld());
+	const btElasticPlasticFault fault = joint.m_model.findFault(), missingWorld = joint.m_model.findMissingWorld();
+	joint.setFault(fault ? fault : missingWorld);
 	// Bullet's search for islands crashes on a constraint one of whose bodies has never been in the world.
-	joint.setOutOfIslands(bool(joint.m_model.findMissingWorld()));
+	joint.setOutOfIslands(bool(missingWorld));
 	joint.forgetUncommitted();
 	joint.m_step.revert();
 	if (joint.m_model.m_fault)
@@ -81,45 +62,18 @@ bool JointRegistry::add(JointWorks& joint)
 	if (joint.m_entry.m_registry)
 		joint.m_entry.m_registry->remove(joint);
 	joint.m_entry.m_registry = this;
-	append(joint);
+	m_joints.append({&joint, nullptr, false});
 	return true;
-}
-
-void JointRegistry::append(JointWorks& joint)
-{
-	const Entry entry = {&joint, nullptr, false};
-	joint.m_entry.m_index = m_joints.size();
-	m_joints.push_back(entry);
 }
 
 void JointRegistry::remove(JointWorks& joint)
 {
 	if (joint.m_entry.m_registry != this)
 		return;
-	joint.m_entry.m_registry = nullptr;
 	endSeparation(joint);
-	const int index = joint.m_entry.m_index;
-	if (index < m_joints.size() && m_joints[index].m_joint == &joint)
-	{
-		// The gap is closed later: closing it for each of 20000 joints that are removed one by one would take quadratic time.
-		m_joints[index].m_joint = nullptr;
-		m_hasGaps = true;
-	}
-	else
-		removeIf(m_broken, [&joint](const Entry& e) { return e.m_joint == &joint; });
-	for (int i = m_nextEvent; i < m_events.size(); ++i)
-		if (m_events[i].m_joint == &joint.m_joint)
-			m_events[i].m_joint = nullptr;
-}
-
-void JointRegistry::closeGaps()
-{
-	if (!m_hasGaps)
-		return;
-	removeIf(m_joints, [](const Entry& e) { return !e.m_joint; });
-	for (int i = 0; i < m_joints.size(); ++i)
-		m_joints[i].m_joint->m_entry.m_index = i;
-	m_hasGaps = false;
+	m_events.forget(joint.m_entry.m_events);
+	(isBroken(joint) ? m_broken : m_joints).remove(joint.m_entry.m_index);
+	joint.m_entry.m_registry = nullptr;
 }
 
 void JointRegistry::removeBody(btDynamicsWorld& world, btRigidBody& body)
@@ -127,36 +81,38 @@ void JointRegistry::removeBody(btDynamicsWorld& world, btRigidBody& body)
 	for (int i = world.getNumConstraints() - 1; i >= 0; --i)
 		if (joins(*world.getConstraint(i), body))
 			world.removeConstraint(world.getConstraint(i));
-	for (int i = getNumJoints() - 1; i >= 0; --i)
-		if (joins(getJoint(i).m_model.m_constraint, body))
-			remove(getJoint(i));
+	removeJointsOf(body, m_joints);
+	removeJointsOf(body, m_broken);
 	world.removeRigidBody(&body);
+}
+
+void JointRegistry::removeJointsOf(const btRigidBody& body, List& list)
+{
+	for (int i = list.getEnd() - 1; i >= 0; --i)
+		if (i < list.getEnd() && !list[i].isGap() && joins(list[i].m_joint->m_model.m_constraint, body))
+			remove(*list[i].m_joint);
 }
 
 bool JointRegistry::repair(JointWorks& joint)
 {
-	for (int i = 0; i < m_broken.size(); ++i)
-	{
-		const Entry entry = m_broken[i];
-		if (entry.m_joint != &joint)
-			continue;
-		// A body without a broadphase handle is in no world: it has left its world, or that has been deleted.
-		const btRigidBody* const bodies[2] = {&joint.m_model.bodyA(), &joint.m_model.bodyB()};
-		for (const btRigidBody* body : bodies)
-			if (body->getInvMass() > 0 && !body->getBroadphaseHandle())
-				return false;
-		removeIf(m_broken, [&joint](const Entry& e) { return e.m_joint == &joint; });
-		endSeparation(joint);
-		joint.m_model.m_state = btElasticPlasticState();
-		joint.m_model.setReferenceToCurrentPose();
-		joint.m_step.revert();
-		entry.m_world->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
-		append(joint);
-		joint.m_model.bodyA().activate();
-		joint.m_model.bodyB().activate();
-		return true;
-	}
-	return false;
+	if (joint.m_entry.m_registry != this || !isBroken(joint))
+		return false;
+	// A body without a broadphase handle is in no world: it has left its world, or that has been deleted.
+	const btRigidBody* const bodies[2] = {&joint.m_model.bodyA(), &joint.m_model.bodyB()};
+	for (const btRigidBody* body : bodies)
+		if (body->getInvMass() > 0 && !body->getBroadphaseHandle())
+			return false;
+	const Entry entry = m_broken[joint.m_entry.m_index];
+	m_broken.remove(joint.m_entry.m_index);
+	endSeparation(joint);
+	joint.m_model.m_state = btElasticPlasticState();
+	joint.m_model.setReferenceToCurrentPose();
+	joint.m_step.revert();
+	entry.m_world->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
+	m_joints.append({&joint, nullptr, false});
+	joint.m_model.bodyA().activate();
+	joint.m_model.bodyB().activate();
+	return true;
 }
 
 void JointRegistry::findDrawable(btAlignedObjectArray<JointWorks*>& joints)
@@ -183,8 +139,9 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 		return;
 	m_time += timeStep;
 	m_world = &world;
-	closeGaps();
-	const int brokenBefore = m_broken.size();
+	m_joints.closeGaps();
+	m_broken.closeGaps();
+	const int brokenBefore = m_broken.getEnd();
 	commitJoints();
 	removeBrokenFromWorld(world, brokenBefore);
 	endSeparations();
@@ -210,10 +167,10 @@ bool JointRegistry::isStep(btScalar timeStep)
 
 void JointRegistry::commitJoints()
 {
-	const bool isLarge = m_joints.size() > MANY_JOINTS;
-	for (int i = 0; i < m_joints.size(); ++i)
+	const bool isLarge = m_joints.getEnd() > MANY_JOINTS;
+	for (int i = 0; i < m_joints.getEnd(); ++i)
 	{
-		if (isLarge && i + PREFETCH_AHEAD < m_joints.size())
+		if (isLarge && i + PREFETCH_AHEAD < m_joints.getEnd())
 			prefetch(*m_joints[i + PREFETCH_AHEAD].m_joint);
 		JointWorks& joint = *m_joints[i].m_joint;
 		const int outcome = joint.commit();
@@ -222,7 +179,8 @@ void JointRegistry::commitJoints()
 		if (outcome & JointStep::BROKE)
 		{
 			report(BT_EP_EVENT_BREAK, joint);
-			m_broken.push_back(m_joints[i]);
+			m_joints.remove(i);
+			m_broken.append({&joint, nullptr, false});
 		}
 	}
 }
@@ -231,15 +189,12 @@ void JointRegistry::commitJoints()
 /// the constraints that stay keep their order.
 void JointRegistry::removeBrokenFromWorld(btDynamicsWorld& world, int firstBroken)
 {
-	for (int i = m_broken.size() - 1; i >= firstBroken; --i)
+	for (int i = m_broken.getEnd() - 1; i >= firstBroken; --i)
 	{
 		Entry& entry = m_broken[i];
 		entry.m_world = &world;
 		entry.m_disableCollisions = removeFromWorld(world, *entry.m_joint);
-		m_joints[entry.m_joint->m_entry.m_index].m_joint = nullptr;
-		m_hasGaps = true;
 	}
-	closeGaps();
 }
 
 /// \return whether the joint had kept its bodies from colliding
@@ -263,7 +218,7 @@ bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 
 void JointRegistry::endSeparations()
 {
-	for (int i = 0; i < m_broken.size() && m_numSeparations > 0; ++i)
+	for (int i = 0; i < m_broken.getEnd() && m_numSeparations > 0; ++i)
 		if (m_broken[i].m_joint->m_separation.isDone())
 			endSeparation(*m_broken[i].m_joint);
 }
@@ -286,7 +241,7 @@ void JointRegistry::refuse(btElasticPlasticJoint& joint, const char* text)
 	(m_listener ? m_listener : &printer)->onRefused(joint, text);
 }
 
-void JointRegistry::report(btElasticPlasticEventType type, const JointWorks& works)
+void JointRegistry::report(btElasticPlasticEventType type, JointWorks& works)
 {
 	btElasticPlasticJoint& joint = works.m_joint;
 	btElasticPlasticEvent event;
@@ -308,19 +263,7 @@ void JointRegistry::report(btElasticPlasticEventType type, const JointWorks& wor
 			if (joint.getDamage(i) > joint.getDamage(event.m_dof))
 				event.m_dof = i;
 	}
-	m_events.push_back(event);
-}
-
-bool JointRegistry::popEvent(btElasticPlasticEvent& event)
-{
-	while (m_nextEvent < m_events.size())
-	{
-		event = m_events[m_nextEvent++];
-		if (event.m_joint)
-			return true;
-	}
-	m_events.resize(m_nextEvent = 0);
-	return false;
+	m_events.push(event, works.m_entry.m_events);
 }
 
 /// Takes events from the queue one by one: the listener may delete joints, whose events then leave the queue, and the action
@@ -331,7 +274,7 @@ void JointRegistry::deliver()
 	bool* const outer = m_isDeleted;
 	m_isDeleted = &isDeleted;
 	btElasticPlasticEvent event;
-	while (!isDeleted && m_listener && popEvent(event))
+	while (!isDeleted && m_listener && m_events.pop(event))
 		if (event.m_type == BT_EP_EVENT_YIELD)
 			m_listener->onYield(event);
 		else

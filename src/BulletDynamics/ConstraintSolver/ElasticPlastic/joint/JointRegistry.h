@@ -7,7 +7,8 @@
 #include <mutex>
 
 #include "../../btElasticPlasticEvent.h"
-#include "LinearMath/btAlignedObjectArray.h"
+#include "EventQueue.h"
+#include "GapList.h"
 #include "WorldToken.h"
 
 class btDynamicsWorld;
@@ -32,8 +33,8 @@ public:
 	void removeBody(btDynamicsWorld& world, btRigidBody& body);
 	bool repair(JointWorks& joint);
 
-	int getNumJoints();
-	int getNumBroken() const { return m_broken.size(); }
+	int getNumJoints() const { return m_joints.getCount() + m_broken.getCount(); }
+	int getNumBroken() const { return m_broken.getCount(); }
 	JointWorks& getJoint(int index);
 
 	/// Finds the joints whose bodies are in the world, as a user may have taken a joint out of it and deleted its bodies.
@@ -41,7 +42,7 @@ public:
 	void findDrawable(btAlignedObjectArray<JointWorks*>& joints);
 
 	void setListener(btElasticPlasticListener* listener) { m_listener = listener; }
-	bool popEvent(btElasticPlasticEvent& event);
+	bool popEvent(btElasticPlasticEvent& event) { return m_events.pop(event); }
 	double getTime() const { return m_time; }
 
 	/// Tells the listener that a joint was refused; without a listener, prints the text to the standard error output.
@@ -56,28 +57,31 @@ private:
 		JointWorks* m_joint;
 		btDynamicsWorld* m_world;  ///< a broken joint's world, else null
 		bool m_disableCollisions;  ///< between the joint's bodies, while it holds
-	};
 
-	void append(JointWorks& joint);
+		void setIndex(int index) const;
+		bool isGap() const { return !m_joint; }
+		void makeGap() { m_joint = nullptr; }
+	};
+	typedef GapList<Entry> List;
+
+	bool isBroken(const JointWorks& joint);
+	void removeJointsOf(const btRigidBody& body, List& list);
 	void commitJoints();
 	void removeBrokenFromWorld(btDynamicsWorld& world, int firstBroken);
 	bool removeFromWorld(btDynamicsWorld& world, JointWorks& joint);
 	void endSeparations();
 	void endSeparation(JointWorks& joint);
-	void report(btElasticPlasticEventType type, const JointWorks& joint);
+	void report(btElasticPlasticEventType type, JointWorks& joint);
 	void deliver();
 	bool isStep(btScalar timeStep);
-	void closeGaps();
 
-	btAlignedObjectArray<Entry> m_joints;
-	btAlignedObjectArray<Entry> m_broken;
-	btAlignedObjectArray<btElasticPlasticEvent> m_events;  ///< up to m_nextEvent they are read; void without a joint
-	int m_nextEvent = 0;
+	List m_joints;  ///< those that hold
+	List m_broken;
+	EventQueue m_events;
 	btElasticPlasticListener* m_listener = nullptr;
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;
-	bool m_hasGaps = false;       ///< entries of m_joints without a joint
 	int m_numSeparations = 0;     ///< broken joints whose bodies still overlap
 	WorldToken m_token;           ///< in the world while there are any
 	bool* m_isDeleted = nullptr;  ///< set by the destructor while events are delivered

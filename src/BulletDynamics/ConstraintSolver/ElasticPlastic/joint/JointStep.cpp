@@ -79,6 +79,7 @@ bool JointStep::evaluate(btScalar dt)
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		m_row[r].m_velocity0 = velocity[m_row[r].m_dof];
+		m_row[r].m_partner = -1;
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
@@ -150,6 +151,36 @@ SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForSto
 	return soft;
 }
 
+/// Couples the rows of shear and bending whose compliance is coupled, for a solver that solves them together.
+void JointStep::couple(JointRows& rows)
+{
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		const int dof = m_row[r].m_dof, other = btElasticPlasticCapacity::coupledWith(dof);
+		const btScalar coupling = m_model.m_capacity.couplingCompliance(dof);
+		if (dof >= 3 || coupling == 0)
+			continue;
+		int partner = 0;
+		while (m_row[partner].m_dof != other)
+			++partner;
+		const int pair[2] = {r, partner};
+		const DofState states[2] = {dofState(dof), dofState(other)};
+		const btScalar diagonal[2] = {rows.m_row[r].m_diagonal, rows.m_row[partner].m_diagonal};
+		SoftRow soft[2];
+		const btScalar between = coupledRows(states, diagonal, coupling, m_dt, soft);
+		for (int i = 0; i < 2; ++i)
+		{
+			Row& row = m_row[pair[i]];
+			row.m_lower = soft[i].m_lower;
+			row.m_upper = soft[i].m_upper;
+			row.m_partner = static_cast<signed char>(pair[1 - i]);
+			rows.m_row[pair[i]].m_soft = soft[i];
+			rows.m_row[pair[i]].m_partner = pair[1 - i];
+			rows.m_row[pair[i]].m_coupling = between;
+		}
+	}
+}
+
 bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 {
 	if (m_numRows == 0 || !evaluate(dt))
@@ -165,7 +196,11 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
 		row.m_soft = makeRow(r, row.m_diagonal, erp, false);
 		row.m_bound = m_lastBound[row.m_dof];
+		row.m_partner = -1;
+		row.m_coupling = 0;
 	}
+	if (!m_model.m_isPaper)
+		couple(rows);
 	rows.m_damping = m_model.m_isPaper ? TensionDamping() : TensionDamping::of(m_model, k, dt);
 	return true;
 }
@@ -196,17 +231,16 @@ void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2
 	}
 }
 
-ReturnMapping JointStep::returnMap(int r) const
+RowOutcome JointStep::outcomeOf(int r) const
 {
 	const Row& row = m_row[r];
-	const DofState s = dofState(row.m_dof);
 	RowOutcome outcome;
 	outcome.m_impulse = row.m_impulse;
 	outcome.m_lower = row.m_lower;
 	outcome.m_upper = row.m_upper;
 	// The trial deformation is along the axes at the start of the step: measured in the turned configuration, the turn would
 	// count as strain.
-	outcome.m_trial = s.m_strain - m_dt * row.m_velocity1;
+	outcome.m_trial = m_kinematics.m_strain[row.m_dof] - m_dt * row.m_velocity1;
 	outcome.m_bound = m_lastBound[row.m_dof];
 	outcome.m_isBoundKnown = row.m_isBoundKnown;
 	outcome.m_isForStock = row.m_isForStock;
@@ -216,11 +250,42 @@ ReturnMapping JointStep::returnMap(int r) const
 		outcome.m_impulse = m_recovery[r].m_impulse;
 		outcome.m_bound = m_recovery[r].m_bound;
 	}
+	return outcome;
+}
+
+ReturnMapping JointStep::returnMap(int r) const
+{
+	const Row& row = m_row[r];
+	const DofState s = dofState(row.m_dof);
+	const RowOutcome outcome = outcomeOf(r);
+	const btScalar coupling = row.m_partner >= 0 ? m_model.m_capacity.couplingCompliance(row.m_dof) : btScalar(0);
+	if (coupling != 0)
+	{
+		const RowOutcome partner = outcomeOf(row.m_partner);
+		const DofState states[2] = {s, dofState(m_row[row.m_partner].m_dof)};
+		const btScalar trials[2] = {outcome.m_trial, partner.m_trial};
+		const signed char bounds[2] = {outcome.m_bound, partner.m_bound};
+		ReturnMapping mapped[2];
+		returnMapCoupled(states, coupling, trials, bounds, mapped);
+		return mapped[0];
+	}
 	if (m_model.m_capacity.isRigidPlastic(row.m_dof))
 		return rigidReturnMap(outcome.m_impulse, outcome.m_trial, outcome.isAtBound(s.m_yield * m_dt), m_dt);
 	if (m_model.m_isPaper)
 		return paperLaw(row.m_dof).returnMap(s, outcome, m_dt);
 	return ImplicitLaw().returnMap(s, outcome, m_dt);
+}
+
+/// Twice the work of the step's impulses on the bodies: that of each is exactly impulse times mean velocity. It is finite only if all
+/// of them are.
+/// \param velocity1  J v at the end of the step, of all degrees of freedom
+/// \param spin1      the relative angular velocity then
+double JointStep::twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const
+{
+	double work = double(m_dampingImpulse.dot(m_spin0 + spin1));
+	for (int r = 0; r < m_numRows; ++r)
+		work += double(m_row[r].m_impulse) * (double(m_row[r].m_velocity0) + double(velocity1[m_row[r].m_dof]));
+	return work;
 }
 
 int JointStep::commit()
@@ -236,22 +301,31 @@ int JointStep::commit()
 		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
 	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {}, unloaded[BT_EP_DOF_COUNT] = {};
 	project(linear, wA - wB, velocity1);
-
 	btElasticPlasticState& state = m_model.m_state;
+	const double work = state.m_work - 0.5 * twiceWork(velocity1, wA - wB);
+	if (!btElasticPlasticIsFinite(work))
+	{
+		// One of Bullet's own solvers may have made nothing finite of the step.
+		revert();
+		m_numCommittedRows = 0;
+		return NOTHING;
+	}
+
 	const btScalar rate = 1 / m_dt;
-	double work = double(m_dampingImpulse.dot(m_spin0 + wA - wB));
 	bool flowed = false;
+	ReturnMapping mappedRows[BT_EP_DOF_COUNT];
+	for (int r = 0, rows = m_numRows; r < rows; ++r)
+		m_row[r].m_velocity1 = velocity1[m_row[r].m_dof];
+	for (int r = 0, rows = m_numRows; r < rows; ++r)
+		mappedRows[r] = returnMap(r);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		Row& row = m_row[r];
 		const int i = row.m_dof;
-		row.m_velocity1 = velocity1[i];
-		const ReturnMapping mapped = returnMap(r);
+		const ReturnMapping& mapped = mappedRows[r];
 		state.m_forceRate[i] = (mapped.m_force - state.m_force[i]) * rate;
 		state.m_force[i] = mapped.m_force;
 		state.m_applied[i] = row.m_impulse * rate;
-		// The work of an impulse on the bodies is exactly impulse times mean velocity.
-		work += double(row.m_impulse) * (double(row.m_velocity0) + double(velocity1[i]));
 		unloaded[i] = mapped.m_unloaded;
 		if (mapped.m_increment == 0)
 			continue;
@@ -266,7 +340,7 @@ int JointStep::commit()
 	state.m_withheldStep = m_withheldStep;
 	state.m_lastStep = m_dt;
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
-	state.m_work -= 0.5 * work;
+	state.m_work = work;
 	revert();
 	m_model.moveReference(unloaded);
 	if (!flowed)

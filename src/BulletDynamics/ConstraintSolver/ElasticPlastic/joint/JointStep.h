@@ -5,28 +5,11 @@
 #define BT_ELASTIC_PLASTIC_JOINT_STEP_H
 
 #include "JointModel.h"
+#include "JointRows.h"
 #include "PaperLaw.h"
-#include "TensionDamping.h"
 
 namespace btElasticPlastic
 {
-/// A joint's rows of one step, for a solver that adds compliance to the diagonal.
-struct JointRows
-{
-	struct Row
-	{
-		int m_dof;
-		btScalar m_diagonal;  ///< A = J M^-1 J^T
-		SoftRow m_soft;
-		signed char m_bound;  ///< where the row ended in the last direct solution (-1, 0, 1): a first guess
-	};
-
-	Kinematics m_kinematics;  ///< gives the Jacobians
-	int m_numRows;
-	Row m_row[BT_EP_DOF_COUNT];
-	TensionDamping m_damping;
-};
-
 /// One step of a joint: from pose and velocities to rows, from impulses and bounds to the next state.
 ///
 /// Evaluating never changes the joint's state; only commit() does, once per substep.
@@ -122,6 +105,7 @@ private:
 		int m_dof : 8;
 		bool m_isBoundKnown;
 		bool m_isForStock;
+		signed char m_partner;  ///< the row with which it is coupled in this step, -1: none
 	};
 
 	/// Motion of places beside velocities, by row.
@@ -135,8 +119,11 @@ private:
 	void withholdDrift();
 	DofState dofState(int dof) const;
 	PaperLaw paperLaw(int dof) const;
+	void couple(JointRows& rows);
+	RowOutcome outcomeOf(int r) const;
 	ReturnMapping returnMap(int r) const;
 	void takeBackKinematicMotion();
+	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
 	JointModel& m_model;
 	int m_numRows = 0;

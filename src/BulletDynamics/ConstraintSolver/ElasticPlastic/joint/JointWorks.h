@@ -4,6 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_JOINT_WORKS_H
 #define BT_ELASTIC_PLASTIC_JOINT_WORKS_H
 
+#include "EventQueue.h"
 #include "JointStep.h"
 #include "Separation.h"
 #include "StockFeedback.h"
@@ -19,7 +20,8 @@ class JointRegistry;
 struct RegistryEntry
 {
 	JointRegistry* m_registry = nullptr;  ///< null: no action knows the joint
-	int m_index = 0;  ///< among joints that are not broken; those that were added earlier come first
+	int m_index = 0;                      ///< in the registry's list of joints that hold, or of those that are broken
+	UnreadEvents m_events;
 };
 
 /// The implementation of btElasticPlasticJoint, together in memory: the model, its step, and their connection to Bullet and

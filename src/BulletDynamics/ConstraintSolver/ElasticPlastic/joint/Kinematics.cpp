@@ -141,4 +141,13 @@ void Kinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB, co
 		m_strain[3 + i] = elastic[i];
 	}
 }
+
+void Kinematics::bow(btScalar lengthY, btScalar lengthZ)
+{
+	const btScalar y = m_strain[4], z = m_strain[5];
+	const btVector3 shift = m_axis[1] * (z * lengthZ / 6) - m_axis[2] * (y * lengthY / 6);
+	m_rA += shift;
+	m_rB += shift;
+	m_strain[0] -= (lengthY * y * y + lengthZ * z * z) / 12;
+}
 }  // namespace btElasticPlastic

@@ -44,6 +44,13 @@ struct Kinematics
 	void evaluate(const btTransform& bodyA, const btTransform& bodyB, const btTransform& frameA,
 				  const btTransform& frameB, const btVector3& plasticOffset, const btQuaternion& plasticRotation,
 				  const btQuaternion& plasticMiddle);
+
+	/// Lets the member bow between the bodies' centres. Of two straight parts that are turned by t against each other, the ends are
+	/// closer together by a bow's l t^2 / 12: an axial force bends what is crooked by that much less. The axial strain loses it,
+	/// and the common point moves by l t / 6 towards the bow, so that J v = -de/dt holds.
+	/// \param lengthY, lengthZ  l of the member where it bends about y and about z; 0: a hinge, which does not bow; negative where
+	///                          the x axis points from body B to body A [m]
+	void bow(btScalar lengthY, btScalar lengthZ);
 };
 
 /// Rotation vector of a unit quaternion, |result| <= 2 pi, the sign of the quaternion is kept.

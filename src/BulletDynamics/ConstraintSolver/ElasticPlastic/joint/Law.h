@@ -4,6 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_LAW_H
 #define BT_ELASTIC_PLASTIC_LAW_H
 
+#include "CoupledPair.h"
 #include "LinearMath/btMinMax.h"
 #include "LinearMath/btScalar.h"
 
@@ -63,23 +64,66 @@ inline btScalar clampedForce(const DofState& s)
 	return btMax(-s.m_yield, btMin(s.m_yield, s.m_stiffness * s.m_strain));
 }
 
-/// Row of the default scheme, for a solver that adds C to the diagonal (btElasticPlasticConstraintSolver).
-inline SoftRow implicitRow(const DofState& s, btScalar diagonal, btScalar dt)
+/// alpha and beta of a step.
+struct Newmark
 {
-	const btScalar a = s.m_stiffness * dt * dt * diagonal;
-	// a / (a + 4) written so that a = infinity is no NaN.
-	// Steps that change in phase with an oscillation would feed energy into it; therefore a changed step dissipates.
-	const btScalar change = s.m_lastStep > 0 ? btFabs(dt - s.m_lastStep) / (dt + s.m_lastStep) : btScalar(0);
-	const btScalar gamma = btScalar(0.5) + btMin(btScalar(1), (a > 1 ? 1 / (1 + 4 / a) : a / (a + 4)) + change);
-	const btScalar alpha = (gamma + btScalar(0.5)) * (gamma + btScalar(0.5)) / 4;
-	const btScalar beta = btScalar(0.5) + alpha - gamma;
-	const btScalar c = (1 - alpha) * s.m_force - beta * dt * s.m_forceRate;
+	btScalar m_alpha, m_beta;
+
+	/// \param a         square of frequency times step
+	/// \param lastStep  0: none
+	Newmark(btScalar a, btScalar dt, btScalar lastStep)
+	{
+		// a / (a + 4) written so that a = infinity is no NaN.
+		// Steps that change in phase with an oscillation would feed energy into it; therefore a changed step dissipates.
+		const btScalar change = lastStep > 0 ? btFabs(dt - lastStep) / (dt + lastStep) : btScalar(0);
+		const btScalar gamma = btScalar(0.5) + btMin(btScalar(1), (a > 1 ? 1 / (1 + 4 / a) : a / (a + 4)) + change);
+		m_alpha = (gamma + btScalar(0.5)) * (gamma + btScalar(0.5)) / 4;
+		m_beta = btScalar(0.5) + m_alpha - gamma;
+	}
+
+	/// c
+	btScalar known(const DofState& s, btScalar dt) const
+	{
+		return (1 - m_alpha) * s.m_force - m_beta * dt * s.m_forceRate;
+	}
+};
+
+/// Row of the default scheme, for a solver that adds C to the diagonal (btElasticPlasticConstraintSolver).
+inline SoftRow implicitRow(const DofState& s, const Newmark& scheme, btScalar dt)
+{
+	const btScalar alpha = scheme.m_alpha, c = scheme.known(s, dt);
 	SoftRow row;
 	row.m_compliance = 1 / (alpha * s.m_stiffness * dt * dt);
 	row.m_velocity = s.m_strain / dt + c / (alpha * s.m_stiffness * dt);
 	row.m_lower = dt * (c - alpha * s.m_yield);
 	row.m_upper = dt * (c + alpha * s.m_yield);
 	return row;
+}
+
+inline SoftRow implicitRow(const DofState& s, btScalar diagonal, btScalar dt)
+{
+	return implicitRow(s, Newmark(s.m_stiffness * dt * dt * diagonal, dt, s.m_lastStep), dt);
+}
+
+/// Rows of two degrees of freedom with coupled compliance K^-1, which have one alpha and beta, of the stiffer one: with
+/// lambda / dt = c + alpha K (e_n - dt J v1) of both together
+///
+///     C = K^-1 / (alpha dt^2),   r = e_n / dt + K^-1 c / (alpha dt),   the bounds as for one.
+///
+/// \param diagonal  A of both
+/// \param coupling  beside the diagonal of K^-1
+/// \return beside the diagonal of C
+inline btScalar coupledRows(const DofState s[2], const btScalar diagonal[2], btScalar coupling, btScalar dt,
+							SoftRow rows[2])
+{
+	const btScalar a = dt * dt * btMax(s[0].m_stiffness * diagonal[0], s[1].m_stiffness * diagonal[1]);
+	const Newmark scheme(a, dt, s[0].m_lastStep);
+	for (int i = 0; i < 2; ++i)
+	{
+		rows[i] = implicitRow(s[i], scheme, dt);
+		rows[i].m_velocity += coupling * scheme.known(s[1 - i], dt) / (scheme.m_alpha * dt);
+	}
+	return coupling / (scheme.m_alpha * dt * dt);
 }
 
 /// Row that applies a force for the step whatever the velocity: it asks for a velocity that is never reached, within bounds
@@ -170,6 +214,26 @@ inline ReturnMapping returnMap(btScalar stiffness, btScalar yield, btScalar stra
 	r.m_force = btMax(-yield, btMin(yield, trial));
 	r.m_increment = atBound && btFabs(trial) > yield ? strain - r.m_force / stiffness : btScalar(0);
 	return r;
+}
+
+/// Return mapping of two degrees of freedom with coupled compliance, see coupledRows().
+/// \param strains  trial deformations
+/// \param solved   the bounds at which the impulses are: -1, 0 or 1. Nothing flows where this is not the law's bound
+inline void returnMapCoupled(const DofState s[2], btScalar coupling, const btScalar strains[2],
+							 const signed char solved[2], ReturnMapping mapped[2])
+{
+	const CoupledPair<btScalar> pair = {{1 / s[0].m_stiffness, 1 / s[1].m_stiffness}, coupling};
+	const btScalar lower[2] = {-s[0].m_yield, -s[1].m_yield}, upper[2] = {s[0].m_yield, s[1].m_yield};
+	btScalar force[2];
+	signed char bound[2];
+	pair.project(strains, lower, upper, force, bound);
+	for (int i = 0; i < 2; ++i)
+	{
+		mapped[i].m_force = force[i];
+		mapped[i].m_increment = bound[i] != 0 && solved[i] == bound[i]
+									? strains[i] - force[i] * pair.m_compliance[i] - coupling * force[1 - i]
+									: btScalar(0);
+	}
 }
 
 /// Return mapping of a rigid-plastic degree of freedom: at its bound, all motion in the direction of the force is plastic.

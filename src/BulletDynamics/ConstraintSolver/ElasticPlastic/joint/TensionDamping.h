@@ -26,6 +26,11 @@ namespace btElasticPlastic
 /// blocks that asks for B times as much g once the highest mode's (w dt)^2 = z is above 80 B. Taken is a quarter of that. More g
 /// than k dt^2 is damping, of bending alone: what such a step cannot resolve comes to rest.
 ///
+/// It is the less mobile body of a pair that counts: a heavy one, which the step resolves, is a support, and no more than a support may it
+/// hold the turn of the light one, or a string between heavy ends would be clamped there and ring too high.
+///
+/// Arms reach to the joint or, if that is more, to the middle of what is elastic (btElasticPlasticCapacity::elasticMiddle()).
+///
 /// Compression gives a negative stiffness, which is buckling, and is left to the step as it is.
 struct TensionDamping
 {

@@ -59,14 +59,14 @@ struct EliminationTree
 	Lists m_below;              // per column: rows below the diagonal, not sorted
 	Lists m_children;
 
-	explicit EliminationTree(const BlockMatrix& matrix);
+	EliminationTree(const BlockMatrix& matrix, int numLast);
 };
 
-EliminationTree::EliminationTree(const BlockMatrix& matrix)
+EliminationTree::EliminationTree(const BlockMatrix& matrix, int numLast)
 {
 	const int n = matrix.getNumBodies();
 	const Lists neighbours = neighboursOf(matrix);
-	minimumDegree(n, neighbours.m_start.data(), neighbours.m_items.data(), m_order);
+	minimumDegree(n, neighbours.m_start.data(), neighbours.m_items.data(), numLast, m_order);
 	std::vector<int> column(n);
 	for (int j = 0; j < n; ++j)
 		column[m_order[j]] = j;
@@ -217,9 +217,9 @@ void BlockFactor::selectKernel()
 	m_kernel = &BlockKernel::select(isThin ? std::min(m_maxVectorWidth, 4) : m_maxVectorWidth);
 }
 
-void BlockFactor::analyse(const BlockMatrix& matrix)
+void BlockFactor::analyse(const BlockMatrix& matrix, int numLast)
 {
-	const EliminationTree tree(matrix);
+	const EliminationTree tree(matrix, numLast);
 	const Panels panels(tree);
 	const int n = matrix.getNumBodies();
 	const int numPanels = int(panels.m_last.size());
@@ -431,6 +431,42 @@ void BlockFactor::solve(double* x) const
 	for (size_t j = 0; j < n; ++j)
 		for (int r = 0; r < 6; ++r)
 			x[6 * size_t(m_bodies[j]) + r] = m_work[6 * j + r];
+}
+
+void BlockFactor::getComplement(int numLast, std::vector<double>& complement) const
+{
+	// S = L L^T of the last bodies' rows and columns, column by column.
+	const int n = getNumBodies(), first = n - numLast;
+	const size_t size = 6 * size_t(numLast);
+	complement.assign(size * size, 0.);
+	std::vector<double> column(size);
+	std::vector<int> rows;
+	for (int p = 0; p + 1 < int(m_panels.size()); ++p)
+	{
+		const BlockPanel& panel = m_panels[size_t(p)];
+		rows.clear();
+		for (int c = 0; c < panel.m_numColumns; ++c)
+			rows.push_back(m_bodies[size_t(panel.m_first + c)] - first);
+		for (int r = panel.m_below; r < m_panels[size_t(p) + 1].m_below; ++r)
+			rows.push_back(m_bodies[size_t(m_below[size_t(r)])] - first);
+		const size_t stride = 6 * rows.size();
+		for (int c = 0; c < panel.m_numColumns; ++c)
+			for (int k = 0; rows[size_t(c)] >= 0 && k < 6; ++k)
+			{
+				const double* const from = &m_values[panel.m_values + (6 * size_t(c) + size_t(k)) * stride];
+				std::fill(column.begin(), column.end(), 0.);
+				for (size_t r = size_t(c); r < rows.size(); ++r)
+					for (size_t i = r == size_t(c) ? size_t(k) : 0; i < 6; ++i)
+						column[6 * size_t(rows[r]) + i] = from[6 * r + i];
+				for (size_t j = 0; j < size; ++j)
+				{
+					const double factor = column[j];
+					double* const to = &complement[size * j];
+					for (size_t i = 0; factor != 0 && i < size; ++i)
+						to[i] += factor * column[i];
+				}
+			}
+	}
 }
 
 int64_t BlockFactor::getMemory() const

@@ -33,7 +33,8 @@ public:
 	BlockFactor();
 
 	/// Plans the factorisation of all matrices with this pattern. There is no factor before the next factorise().
-	void analyse(const BlockMatrix& matrix);
+	/// \param numLast  so many of the highest bodies are eliminated last
+	void analyse(const BlockMatrix& matrix, int numLast = 0);
 
 	/// Computes the factor. \return false if the matrix is not positive definite: then there is no factor, solve() does
 	/// nothing, and the next factorise() computes everything
@@ -48,6 +49,11 @@ public:
 
 	/// x = H^-1 x, 6 doubles per body. Leaves x as it is if there is no factor.
 	void solve(double* x) const;
+
+	/// What is left of H for the bodies that are eliminated last once all others are: for each vector x of these bodies' motions the least
+	/// x^T H x that the others' motions allow is x^T S x. There must be a factor.
+	/// \param complement  gets S, full, 6 numLast rows and columns in the order of the bodies' numbers
+	void getComplement(int numLast, std::vector<double>& complement) const;
 
 	/// Limits the number of doubles in a vector to 2, 4 or 8; without a limit vectors are as wide as pays. The factor is lost.
 	void setMaxVectorWidth(int width);

@@ -38,7 +38,7 @@ bool isWorthKeeping(const BlockFactor& factor, int numSolutions)
 }
 }  // namespace
 
-void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions)
+void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions, int numLast)
 {
 	const ScopedTimer timer("elastic-plastic analyse", m_statistics.m_analysisTime);
 	const size_t hash = hashOf(numBodies, edges);
@@ -55,9 +55,10 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 	{
 		m_plan = &newPlan(hash);
 		m_plan->m_numBodies = numBodies;
+		m_plan->m_numLast = numLast;
 		m_plan->m_edges = edges;
 		m_plan->m_matrix.setPattern(numBodies, reinterpret_cast<const int(*)[2]>(edges.data()), int(edges.size() / 2));
-		m_plan->m_factor.analyse(m_plan->m_matrix);
+		m_plan->m_factor.analyse(m_plan->m_matrix, numLast);
 		if (isWorthKeeping(m_plan->m_factor, 1))
 			m_plan->m_islandId = ++m_lastIslandId;
 		++m_statistics.m_analyses;
@@ -145,7 +146,7 @@ bool LinearSolver::solve(std::vector<double>& x)
 
 namespace
 {
-double dot(const std::vector<double>& x, const std::vector<double>& y)
+double scalarProduct(const std::vector<double>& x, const std::vector<double>& y)
 {
 	double sum = 0;
 	for (size_t i = 0; i < x.size(); ++i)
@@ -162,7 +163,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 	const BlockMatrix& matrix = m_plan->m_matrix;
 	const BlockFactor& factor = m_plan->m_factor;
 	const size_t n = x.size();
-	const double enough = m_settings.m_iterationTolerance * m_settings.m_iterationTolerance * dot(x, x);
+	const double enough = m_settings.m_iterationTolerance * m_settings.m_iterationTolerance * scalarProduct(x, x);
 	m_rest = x;
 	m_product.resize(n);
 	m_preconditioned = m_rest;
@@ -170,13 +171,13 @@ bool LinearSolver::iterate(std::vector<double>& x)
 	countSolution();
 	m_search = m_preconditioned;
 	m_solution.assign(n, 0.);
-	double rz = dot(m_rest, m_preconditioned), before = dot(x, x);
+	double rz = scalarProduct(m_rest, m_preconditioned), before = scalarProduct(x, x);
 	for (int i = 0; i < m_settings.m_maxIterations; ++i)
 	{
 		matrix.multiply(m_search.data(), m_product.data());
 		++m_statistics.m_iterations;
 		m_statistics.m_work += (long long)(NANOSECONDS_A_MATRIX_BLOCK * double(matrix.getNumBlocks()));
-		const double alpha = rz / dot(m_search, m_product);
+		const double alpha = rz / scalarProduct(m_search, m_product);
 		double rest = 0;
 		for (size_t k = 0; k < n; ++k)
 		{
@@ -196,7 +197,7 @@ bool LinearSolver::iterate(std::vector<double>& x)
 		m_preconditioned = m_rest;
 		factor.solve(m_preconditioned.data());
 		countSolution();
-		const double next = dot(m_rest, m_preconditioned);
+		const double next = scalarProduct(m_rest, m_preconditioned);
 		for (size_t k = 0; k < n; ++k)
 			m_search[k] = m_preconditioned[k] + next / rz * m_search[k];
 		rz = next;

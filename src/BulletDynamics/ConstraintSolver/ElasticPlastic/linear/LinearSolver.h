@@ -33,11 +33,18 @@ public:
 	/// \param edges   two bodies each; repetitions and directions make no difference to the matrix
 	/// \param islandId  by which the island's kept factor is found, see getIslandId(); 0: it has none
 	/// \param numSolutions  about how many there will be, > 0: with many a new factor is cheaper than iterations with an old one
-	void begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions);
+	/// \param numLast       so many of the highest bodies are eliminated last
+	void begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions, int numLast = 0);
 
 	/// The number to be given to begin() when the same island returns. By it the island gets its own factor again, and not
 	/// that of another island with the same graph: its result must not depend on its neighbours. 0 if no factor is kept.
 	int getIslandId() const { return m_plan->m_islandId; }
+
+	/// See BlockFactor::getComplement. There must have been a solution.
+	void getComplement(std::vector<double>& complement) const
+	{
+		m_plan->m_factor.getComplement(m_plan->m_numLast, complement);
+	}
 
 	BlockMatrix& getMatrix() { return m_plan->m_matrix; }
 
@@ -60,7 +67,7 @@ public:
 private:
 	struct Plan
 	{
-		int m_numBodies = 0;
+		int m_numBodies = 0, m_numLast = 0;
 		std::vector<int> m_edges;
 		BlockMatrix m_matrix;
 		BlockFactor m_factor;

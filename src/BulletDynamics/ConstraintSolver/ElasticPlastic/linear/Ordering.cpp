@@ -26,7 +26,7 @@ class MinimumDegree
 {
 public:
 	MinimumDegree(int n, const int* start, const int* neighbours);
-	void run(std::vector<int>& order);
+	void run(int numLast, std::vector<int>& order);
 
 private:
 	const int m_n;
@@ -95,14 +95,14 @@ MinimumDegree::MinimumDegree(int n, const int* start, const int* neighbours)
 	}
 }
 
-void MinimumDegree::run(std::vector<int>& order)
+void MinimumDegree::run(int numLast, std::vector<int>& order)
 {
 	order.clear();
 	order.reserve(m_n);
 	const int many = std::max(16, int(10 * std::sqrt(double(m_n))));
 	std::vector<int> last;
 	for (int i = 0; i < m_n; ++i)
-		if (m_degree[i] > many)
+		if (m_degree[i] > many || i >= m_n - numLast)
 		{
 			last.push_back(i);
 			m_size[i] = 0;
@@ -321,8 +321,8 @@ void MinimumDegree::finishElement(int pivot)
 }
 }  // namespace
 
-void minimumDegree(int n, const int* start, const int* neighbours, std::vector<int>& order)
+void minimumDegree(int n, const int* start, const int* neighbours, int numLast, std::vector<int>& order)
 {
-	MinimumDegree(n, start, neighbours).run(order);
+	MinimumDegree(n, start, neighbours).run(numLast, order);
 }
 }  // namespace btElasticPlastic

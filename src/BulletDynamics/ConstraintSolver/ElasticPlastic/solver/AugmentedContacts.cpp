@@ -129,6 +129,8 @@ void AugmentedContacts::addWork(const SystemInput& input, const std::vector<doub
 	{
 		gain += row.m_target * impulse;
 		cost += row.m_compliance * impulse * impulse;
+		if (row.m_partner >= 0)
+			cost += row.m_coupling * impulse * impulses[size_t(row.m_partner)];
 	};
 	for (const SystemInput::Unit& unit : input.m_units)
 		for (int r = unit.m_firstRow; r < unit.m_firstRow + unit.m_numRows; ++r)

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "../joint/CoupledPair.h"
 #include "SystemInput.h"
 
 namespace btElasticPlastic
@@ -18,7 +19,8 @@ namespace btElasticPlastic
 /// matrix (SystemMatrix) know no more of a law than the functions of this class. A law that couples the rows of a unit, such as
 /// a yield surface, stands beside this one with the same functions for its own units, and fills the unit's whole tangent.
 ///
-/// Here the bounds of all rows are independent, a box: lambda = clamp(u / C, lower, upper), row by row.
+/// Here the bounds of all rows are independent, a box: lambda = clamp(u / C, lower, upper), row by row, and for two rows with
+/// coupled compliance as CoupledPair says.
 class BoxLaw
 {
 public:
@@ -45,6 +47,8 @@ public:
 			m_impulse[i] = m_bound[i] == 0  ? row.m_target / row.m_compliance
 						   : m_bound[i] > 0 ? row.m_upper
 											: row.m_lower;
+			if (row.m_partner < int(i) && row.m_partner >= 0)
+				holdPair(input, row.m_partner, int(i));
 		}
 	}
 
@@ -57,6 +61,11 @@ public:
 		for (size_t i = 0; i < m_impulse.size(); ++i)
 		{
 			const SystemInput::Bounded& row = input.m_rows[i];
+			if (row.m_partner >= 0)
+			{
+				hasChanged |= row.m_partner > int(i) && projectPair(input, along, int(i), row.m_partner);
+				continue;
+			}
 			const double impulse = (row.m_target - along[i]) / row.m_compliance;
 			// Where both bounds are equal, as of friction without a normal impulse, the row counts as at its upper bound:
 			// otherwise rounding would decide on a bound, and count as a change.
@@ -77,7 +86,10 @@ public:
 		for (size_t i = 0; i < m_impulse.size(); ++i)
 		{
 			const SystemInput::Bounded& row = input.m_rows[i];
-			const double term = m_impulse[i] * (row.m_target - along[i] - 0.5 * row.m_compliance * m_impulse[i]);
+			double strain = 0.5 * row.m_compliance * m_impulse[i];
+			if (row.m_partner >= 0)
+				strain += 0.5 * row.m_coupling * m_impulse[size_t(row.m_partner)];
+			const double term = m_impulse[i] * (row.m_target - along[i] - strain);
 			sum += term;
 			terms += term < 0 ? -term : term;
 		}
@@ -103,6 +115,12 @@ public:
 		for (size_t i = 0; i < m_impulse.size(); ++i)
 		{
 			const SystemInput::Bounded& row = input.m_rows[i];
+			if (row.m_partner >= 0)
+			{
+				if (row.m_partner > int(i))
+					addPairDerivatives(input, step, t, int(i), row.m_partner, first, second);
+				continue;
+			}
 			const double impulse = m_lineStart[i] - t * m_lineRate[i];
 			const double bounded = impulse < row.m_upper ? impulse : row.m_upper;
 			first -= step[i] * (bounded > row.m_lower ? bounded : row.m_lower);
@@ -111,27 +129,63 @@ public:
 	}
 
 	/// Adds a unit's tangent in world coordinates: sum of a a^T / C over the rows between their bounds.
-	/// \param linear, angular  3x3, of the rows along and about the axes
-	void addTangent(const SystemInput& input, const SystemInput::Unit& unit, double linear[9], double angular[9]) const
+	/// \param linear, angular  3x3 by columns, of the rows along and about the axes
+	/// \param mixed            of the rows along the axes, by what is about them
+	/// \return whether there is anything in mixed
+	bool addTangent(const SystemInput& input, const SystemInput::Unit& unit, double linear[9], double angular[9],
+					double mixed[9]) const
 	{
+		bool isMixed = false;
 		for (int r = 0; r < unit.m_numRows; ++r)
 		{
 			const int i = unit.m_firstRow + r;
 			if (m_bound[i] != 0)
 				continue;
-			const double weight = 1 / input.m_rows[i].m_compliance;
+			const double beside = unit.m_dof[r] < 3 ? getTangentWithPartner(input, i) : 0;
+			if (beside != 0)
+			{
+				const double *const along = unit.m_axis[unit.m_dof[r]],
+									*const about =
+										unit.m_axis[unit.m_dof[input.m_rows[i].m_partner - unit.m_firstRow] % 3];
+				for (int c = 0; c < 3; ++c)
+					for (int k = 0; k < 3; ++k)
+						mixed[3 * c + k] += beside * along[k] * about[c];
+				isMixed = true;
+			}
+			const double weight = getTangent(input, i);
 			const double* const a = unit.m_axis[unit.m_dof[r] % 3];
 			double* const to = unit.m_dof[r] < 3 ? linear : angular;
 			for (int c = 0; c < 3; ++c)
 				for (int k = 0; k < 3; ++k)
 					to[3 * c + k] += weight * a[c] * a[k];
 		}
+		return isMixed;
 	}
 
-	/// The tangent of a single row, d lambda / du.
+	/// The tangent of a row, d lambda / du.
 	double getTangent(const SystemInput& input, int row) const
 	{
-		return m_bound[row] == 0 ? 1 / input.m_rows[row].m_compliance : 0.;
+		if (m_bound[row] != 0)
+			return 0;
+		const SystemInput::Bounded& terms = input.m_rows[row];
+		if (terms.m_partner < 0)
+			return 1 / terms.m_compliance;
+		double diagonal[2], beside;
+		const signed char bounds[2] = {0, m_bound[terms.m_partner]};
+		pairOf(input, row, terms.m_partner).getTangent(bounds, diagonal, beside);
+		return diagonal[0];
+	}
+
+	/// d lambda / du of a row by its partner's u, 0 without a partner.
+	double getTangentWithPartner(const SystemInput& input, int row) const
+	{
+		const int partner = input.m_rows[row].m_partner;
+		if (partner < 0)
+			return 0;
+		double diagonal[2], beside;
+		const signed char bounds[2] = {m_bound[row], m_bound[partner]};
+		pairOf(input, row, partner).getTangent(bounds, diagonal, beside);
+		return beside;
 	}
 
 	/// Notes that the rows' present tangent is in the matrix. \return whether it was another one before
@@ -164,6 +218,70 @@ public:
 	const signed char* getBounds(int row) const { return m_bound.data() + row; }
 
 private:
+	typedef CoupledPair<double> Pair;
+
+	static Pair pairOf(const SystemInput& input, int i, int j)
+	{
+		return {{input.m_rows[i].m_compliance, input.m_rows[j].m_compliance}, input.m_rows[i].m_coupling};
+	}
+
+	/// Both rows' impulses by holdBounds(), from those that each would have by itself.
+	void holdPair(const SystemInput& input, int i, int j)
+	{
+		const int at[2] = {i, j};
+		const Pair pair = pairOf(input, i, j);
+		const double u[2] = {input.m_rows[i].m_target, input.m_rows[j].m_target};
+		for (int k = 0; k < 2; ++k)
+			if (m_bound[at[k]] != 0 && m_bound[at[1 - k]] == 0)
+				m_impulse[at[1 - k]] = pair.other(k, m_impulse[at[k]], u);
+		if (m_bound[i] == 0 && m_bound[j] == 0)
+			pair.free(u, &m_impulse[i], &m_impulse[j]);
+	}
+
+	/// \return whether a bound has changed
+	bool projectPair(const SystemInput& input, const std::vector<double>& along, int i, int j)
+	{
+		const int at[2] = {i, j};
+		double u[2], lower[2], upper[2], impulse[2];
+		signed char bound[2];
+		for (int k = 0; k < 2; ++k)
+		{
+			const SystemInput::Bounded& row = input.m_rows[at[k]];
+			u[k] = row.m_target - along[at[k]];
+			lower[k] = row.m_lower;
+			upper[k] = row.m_upper;
+		}
+		pairOf(input, i, j).project(u, lower, upper, impulse, bound);
+		bool hasChanged = false;
+		for (int k = 0; k < 2; ++k)
+		{
+			hasChanged |= bound[k] != m_bound[at[k]];
+			m_impulse[at[k]] = impulse[k];
+			m_bound[at[k]] = bound[k];
+		}
+		return hasChanged;
+	}
+
+	void addPairDerivatives(const SystemInput& input, const std::vector<double>& step, double t, int i, int j,
+							double& first, double& second) const
+	{
+		const int at[2] = {i, j};
+		double u[2], lower[2], upper[2], impulse[2], diagonal[2], beside;
+		signed char bound[2];
+		for (int k = 0; k < 2; ++k)
+		{
+			const SystemInput::Bounded& row = input.m_rows[at[k]];
+			u[k] = (m_lineStart[at[k]] - t * m_lineRate[at[k]]) * row.m_compliance;
+			lower[k] = row.m_lower;
+			upper[k] = row.m_upper;
+		}
+		const Pair pair = pairOf(input, i, j);
+		pair.project(u, lower, upper, impulse, bound);
+		pair.getTangent(bound, diagonal, beside);
+		first -= step[i] * impulse[0] + step[j] * impulse[1];
+		second += step[i] * step[i] * diagonal[0] + step[j] * step[j] * diagonal[1] + 2 * step[i] * step[j] * beside;
+	}
+
 	std::vector<double> m_impulse;     // lambda, by row
 	std::vector<signed char> m_bound;  // -1 at the lower, 1 at the upper bound, 0 between
 	std::vector<char> m_isInTangent;

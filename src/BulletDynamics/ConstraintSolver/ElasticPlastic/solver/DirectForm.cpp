@@ -171,6 +171,8 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 		row.m_compliance = btMax(double(from.m_soft.m_compliance), HARD * double(from.m_diagonal));
 		row.m_lower = btMax(lower, -most);
 		row.m_upper = btMin(upper, most);
+		row.m_partner = from.m_partner >= 0 ? entry.m_firstRow + from.m_partner : -1;
+		row.m_coupling = from.m_coupling;
 		m_input.m_guess[entry.m_firstRow + r].m_bound = from.m_bound;
 		entry.m_isCut |= row.m_lower > lower || row.m_upper < upper;
 	}
@@ -629,5 +631,12 @@ void DirectForm::finish()
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),
 								   joint.m_isCut ? BETWEEN : m_system.getBounds(joint.m_firstRow));
 	}
+}
+
+void DirectForm::cancel()
+{
+	for (int j = 0; j < m_joints.size(); ++j)
+		m_joints[j].m_works->m_step.revert();
+	m_joints.resize(0);
 }
 }  // namespace btElasticPlastic

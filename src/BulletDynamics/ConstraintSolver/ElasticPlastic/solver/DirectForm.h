@@ -48,6 +48,9 @@ public:
 	/// Gives joints their impulses, after Bullet has finished the step's solution.
 	void finish();
 
+	/// Forgets the island: its joints have no part in the step any more.
+	void cancel();
+
 private:
 	struct Joint
 	{

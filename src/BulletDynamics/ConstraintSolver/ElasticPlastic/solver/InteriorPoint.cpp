@@ -47,20 +47,34 @@ double largest(const std::vector<double>& elements)
 
 struct InteriorPoint::Tangents
 {
-	const std::vector<double>& m_tangent;
+	const std::vector<double>&m_tangent, &m_beside;
 
-	void addTangent(const SystemInput&, const SystemInput::Unit& unit, double linear[9], double angular[9]) const
+	bool addTangent(const SystemInput& input, const SystemInput::Unit& unit, double linear[9], double angular[9],
+					double mixed[9]) const
 	{
+		bool isMixed = false;
 		for (int r = 0; r < unit.m_numRows; ++r)
 		{
 			const double* const a = unit.m_axis[unit.m_dof[r] % 3];
 			double* const to = unit.m_dof[r] < 3 ? linear : angular;
+			const double beside = unit.m_dof[r] < 3 ? m_beside[size_t(unit.m_firstRow + r)] : 0;
+			if (beside != 0)
+			{
+				const int partner = input.m_rows[size_t(unit.m_firstRow + r)].m_partner - unit.m_firstRow;
+				const double* const about = unit.m_axis[unit.m_dof[partner] % 3];
+				for (int c = 0; c < 3; ++c)
+					for (int k = 0; k < 3; ++k)
+						mixed[3 * c + k] += beside * a[k] * about[c];
+				isMixed = true;
+			}
 			const double weight = m_tangent[size_t(unit.m_firstRow + r)];
 			for (int c = 0; c < 3; ++c)
 				for (int k = 0; k < 3; ++k)
 					to[3 * c + k] += weight * a[c] * a[k];
 		}
+		return isMixed;
 	}
+	double getTangentWithPartner(const SystemInput&, int row) const { return m_beside[size_t(row)]; }
 	double getTangent(const SystemInput&, int row) const { return m_tangent[size_t(row)]; }
 };
 
@@ -71,10 +85,19 @@ double InteriorPoint::frictionBound(const SystemInput::SingleRow& friction, cons
 	return friction.m_frictionMax > 0 ? std::min(bound, friction.m_frictionMax) : bound;
 }
 
+/// to += factor times what the partners' impulses add to C lambda.
+void InteriorPoint::addCoupling(double factor, std::vector<double>& to) const
+{
+	for (const Pair& pair : m_pairsOfRows)
+		for (int k = 0; k < 2; ++k)
+			to[size_t(pair.m_row[k])] += factor * pair.m_coupling * m_impulse[size_t(pair.m_row[1 - k])];
+}
+
 /// Impulses in the middle of their bounds, those of contacts at what stops the approach.
 void InteriorPoint::beginRows(const SystemInput& input, const AugmentedContacts& contacts)
 {
 	const size_t n = input.m_rows.size();
+	m_pairsOfRows.clear();
 	for (std::vector<double>* terms : {&m_target, &m_compliance, &m_lower, &m_upper, &m_isOpen, &m_impulse})
 		terms->resize(n);
 	for (std::vector<double>* terms : {&m_lowerPush, &m_upperPush, &m_lowerChange, &m_upperChange, &m_impulseChange})
@@ -88,6 +111,8 @@ void InteriorPoint::beginRows(const SystemInput& input, const AugmentedContacts&
 		m_upper[i] = std::min(row.m_upper, NO_BOUND);
 		m_isOpen[i] = m_upper[i] > m_lower[i] ? 1 : 0;
 		m_impulse[i] = 0.5 * (m_lower[i] + m_upper[i]);
+		if (row.m_partner > int(i))
+			m_pairsOfRows.push_back({{int(i), row.m_partner}, row.m_coupling});
 	}
 	m_friction.clear();
 	for (int i = 0; i < input.getNumSingleRows(); ++i)
@@ -125,11 +150,15 @@ void InteriorPoint::beginAtCentre()
 	const size_t n = m_impulse.size();
 	double beyond = 0;
 	m_pairs = 0;
+	m_rest.resize(n);
+	for (size_t i = 0; i < n; ++i)
+		m_rest[i] = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i];
+	addCoupling(1, m_rest);
 	for (size_t i = 0; i < n; ++i)
 	{
 		const double open = m_isOpen[i];
 		const double below = m_impulse[i] - m_lower[i], above = m_upper[i] - m_impulse[i];
-		const double rest = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i];
+		const double rest = m_rest[i];
 		const double gap = std::min(below, above);
 		m_pairs += 2 * open;
 		if (gap < NO_BOUND / 2)
@@ -142,7 +171,7 @@ void InteriorPoint::beginAtCentre()
 		if (m_isOpen[i] == 0)
 			continue;
 		const double below = m_impulse[i] - m_lower[i], above = m_upper[i] - m_impulse[i];
-		const double rest = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i];
+		const double rest = m_rest[i];
 		m_lowerPush[i] = barrier / below + (below < NO_BOUND / 2 ? std::max(rest, 0.) : 0.);
 		m_upperPush[i] = barrier / above + (above < NO_BOUND / 2 ? std::max(-rest, 0.) : 0.);
 		sum += m_lowerPush[i] * below + m_upperPush[i] * above;
@@ -164,6 +193,16 @@ void InteriorPoint::weigh()
 		m_overAbove[i] = open / (m_upper[i] - m_impulse[i] + shut);
 		m_tangent[i] = open / (m_compliance[i] + m_lowerPush[i] * m_overBelow[i] + m_upperPush[i] * m_overAbove[i]);
 	}
+	m_beside.assign(n, 0.);
+	for (const Pair& pair : m_pairsOfRows)
+	{
+		// The inverse of [ 1 / a, c; c, 1 / b ]; a row that is shut has a = 0, and takes no part.
+		double &a = m_tangent[size_t(pair.m_row[0])], &b = m_tangent[size_t(pair.m_row[1])];
+		const double share = 1 / (1 - pair.m_coupling * pair.m_coupling * a * b);
+		m_beside[size_t(pair.m_row[0])] = m_beside[size_t(pair.m_row[1])] = -pair.m_coupling * a * b * share;
+		a *= share;
+		b *= share;
+	}
 }
 
 /// Finds the change of dv, and of all impulses, for m_right.
@@ -172,6 +211,9 @@ bool InteriorPoint::solveStep(const SystemInput& input, LinearSolver& solver)
 	const size_t n = m_impulse.size();
 	for (size_t i = 0; i < n; ++i)
 		m_work[i] = m_right[i] * m_tangent[i];
+	for (const Pair& pair : m_pairsOfRows)
+		for (int k = 0; k < 2; ++k)
+			m_work[size_t(pair.m_row[k])] += m_right[size_t(pair.m_row[1 - k])] * m_beside[size_t(pair.m_row[k])];
 	m_change = m_momentum;
 	addImpulses(input, m_work.data(), m_change);
 	if (!solver.solve(m_change))
@@ -179,6 +221,12 @@ bool InteriorPoint::solveStep(const SystemInput& input, LinearSolver& solver)
 	project(input, m_change, m_work);
 	for (size_t i = 0; i < n; ++i)
 		m_impulseChange[i] = (m_right[i] - m_work[i]) * m_tangent[i];
+	for (const Pair& pair : m_pairsOfRows)
+		for (int k = 0; k < 2; ++k)
+		{
+			const size_t i = size_t(pair.m_row[k]), partner = size_t(pair.m_row[1 - k]);
+			m_impulseChange[i] += (m_right[partner] - m_work[partner]) * m_beside[i];
+		}
 	return true;
 }
 
@@ -190,6 +238,7 @@ bool InteriorPoint::predict(const SystemInput& input, LinearSolver& solver)
 	m_work.resize(n);
 	for (size_t i = 0; i < n; ++i)
 		m_right[i] = m_isOpen[i] * (m_target[i] - m_along[i] - m_compliance[i] * m_impulse[i]);
+	addCoupling(-1, m_right);
 	if (!solveStep(input, solver))
 		return false;
 	double most = 1;   // the greatest of what falls in the step, over what there is of it
@@ -283,6 +332,7 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 	for (double& element : m_momentum)
 		element = -element;
 	addImpulses(input, m_impulse.data(), m_momentum);
+	addCondensedMomentum(input, m_momentum);
 	const double barrierEnd = BARRIER_END * m_mu, momentumEnd = MOMENTUM_END * largest(m_momentum),
 				 lastFriction = LAST_FRICTION * m_mu;
 	if (!(m_mu > 0))
@@ -298,7 +348,7 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 		{
 			const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);
 			weigh();
-			matrix.assembleAnew(input, Tangents{m_tangent});
+			matrix.assembleAnew(input, Tangents{m_tangent, m_beside});
 		}
 		if (!predict(input, solver))
 			break;

@@ -46,6 +46,14 @@ private:
 	/// A barrier's tangents, for SystemMatrix.
 	struct Tangents;
 
+	/// Rows with coupled compliance.
+	struct Pair
+	{
+		int m_row[2];
+		double m_coupling;
+	};
+
+	void addCoupling(double factor, std::vector<double>& to) const;
 	void beginRows(const SystemInput& input, const AugmentedContacts& contacts);
 	void beginAtCentre();
 	void weigh();
@@ -64,13 +72,14 @@ private:
 	std::vector<double> m_change;    // of dv
 	// By row.
 	std::vector<double> m_target, m_compliance, m_lower, m_upper;
+	std::vector<Pair> m_pairsOfRows;
 	std::vector<double> m_isOpen;  // 1; 0 where both bounds are the same
 	std::vector<double> m_impulse, m_lowerPush, m_upperPush;
 	std::vector<double> m_overBelow, m_overAbove;  // 1 / distance to the bounds; 0 where both are the same
 	std::vector<double> m_along;                   // J dv
-	std::vector<double> m_tangent;                 // (C + D)^-1
+	std::vector<double> m_tangent, m_beside;       // (C + D)^-1, on its diagonal and with the row's partner
 	std::vector<double> m_right, m_impulseChange, m_lowerChange, m_upperChange;
-	std::vector<double> m_work;
+	std::vector<double> m_work, m_rest;
 	std::vector<int> m_friction;  // single rows
 };
 }  // namespace btElasticPlastic

@@ -3,7 +3,8 @@
 
 #include "IslandSolver.h"
 
-#include "../joint/Prefetch.h"
+#include "../Prefetch.h"
+#include "../joint/BodyGate.h"
 #include "../linear/ScopedTimer.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
@@ -12,6 +13,34 @@ namespace btElasticPlastic
 {
 namespace
 {
+bool isVectorFinite(const btVector3& v)
+{
+	return btElasticPlasticIsFinite(double(v.x()) + double(v.y()) + double(v.z()));
+}
+
+/// Whether the velocities are finite that Bullet is about to write to bodies. Those are left out that were not finite before: the
+/// gate has kept them out of the solution.
+bool isResultFinite(const btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i = 0; i < bodies.size(); ++i)
+	{
+		const btSolverBody& b = bodies[i];
+		if (!b.m_originalBody || !isFinite(*b.m_originalBody))
+			continue;
+		if (!isVectorFinite(b.m_linearVelocity + b.m_deltaLinearVelocity + b.m_externalForceImpulse) ||
+			!isVectorFinite(b.m_angularVelocity + b.m_deltaAngularVelocity + b.m_externalTorqueImpulse) ||
+			!isVectorFinite(b.m_pushVelocity) || !isVectorFinite(b.m_turnVelocity))
+			return false;
+	}
+	return true;
+}
+
+void setZero(btConstraintArray& rows)
+{
+	for (int i = 0; i < rows.size(); ++i)
+		rows[i].m_appliedImpulse = rows[i].m_appliedPushImpulse = 0;
+}
+
 /// Applies gravity to bodies that Bullet has woken in this step. Bullet applies gravity first and then wakes the rest of an
 /// island, so the woken bodies would have no weight for a step, and a structure that carries its own weight would spring up.
 /// Woken bodies are those that want to sleep but have no time at rest: others with that state have been at rest for a while.
@@ -24,9 +53,6 @@ void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
 			body->applyGravity();
 	}
 }
-
-/// With more joints than this their data no longer fits the second level of a processor's cache.
-const int MANY_JOINTS = 400;
 }  // namespace
 
 SolverPools IslandSolver::pools()
@@ -151,9 +177,31 @@ btScalar IslandSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bod
 		bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, debugDrawer);
 }
 
+/// Leaves bodies their velocities, forces from outside included, and joints their state.
+void IslandSolver::withholdResult()
+{
+	++m_statistics.m_notFinite;
+	m_direct.cancel();
+	m_iterative.cancel();
+	for (int i = 0; i < m_tmpSolverBodyPool.size(); ++i)
+	{
+		btSolverBody& body = m_tmpSolverBodyPool[i];
+		for (btVector3* change :
+			 {&body.m_deltaLinearVelocity, &body.m_deltaAngularVelocity, &body.m_externalForceImpulse,
+			  &body.m_externalTorqueImpulse, &body.m_pushVelocity, &body.m_turnVelocity})
+			change->setZero();
+	}
+	setZero(m_tmpSolverNonContactConstraintPool);
+	setZero(m_tmpSolverContactConstraintPool);
+	setZero(m_tmpSolverContactFrictionConstraintPool);
+	setZero(m_tmpSolverContactRollingFrictionConstraintPool);
+}
+
 btScalar IslandSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
 													 const btContactSolverInfo& info)
 {
+	if (!isResultFinite(m_tmpSolverBodyPool))
+		withholdResult();
 	m_iterative.finish(pools());
 	// Bullet moves places beside velocities only in this mode.
 	btContactSolverInfo finishing = info;

@@ -49,6 +49,7 @@ private:
 	void convertForDirect(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 	void convertForIterative(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 	void addToDirect(JointWorks& joint, const btContactSolverInfo& info);
+	void withholdResult();
 
 	btElasticPlasticSolverSettings m_settings;
 	btElasticPlasticStatistics m_statistics;

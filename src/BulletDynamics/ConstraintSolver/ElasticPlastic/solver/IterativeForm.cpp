@@ -55,6 +55,13 @@ void IterativeForm::addJoint(JointWorks& joint, int firstRow, const SolverPools&
 	}
 }
 
+void IterativeForm::cancel()
+{
+	for (int j = 0; j < m_joints.size(); ++j)
+		m_joints[j].m_works->m_step.revert();
+	m_joints.resize(0);
+}
+
 void IterativeForm::finish(const SolverPools& pools)
 {
 	for (int j = 0; j < m_joints.size(); ++j)

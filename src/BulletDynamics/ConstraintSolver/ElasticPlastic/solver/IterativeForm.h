@@ -25,6 +25,9 @@ public:
 	/// \param erp       Bullet's error reduction
 	void addJoint(JointWorks& joint, int firstRow, const SolverPools& pools, btScalar erp);
 
+	/// Forgets the island: its joints have no part in the step any more.
+	void cancel();
+
 	/// Gives joints their impulses.
 	void finish(const SolverPools& pools);
 

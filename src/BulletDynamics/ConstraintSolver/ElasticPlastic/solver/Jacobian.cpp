@@ -94,6 +94,24 @@ void multiplyMass(const SystemInput& input, const std::vector<double>& x, std::v
 			y[6 * b + i] = input.m_bodies[b].m_mass[i] * x[6 * b + i];
 			y[6 * b + 3 + i] = dot(&input.m_bodies[b].m_inertia[3 * i], &x[6 * b + 3]);
 		}
+	const SystemInput::Condensed& condensed = input.m_condensed;
+	const size_t n = condensed.m_bodies.size();
+	for (size_t j = 0; j < 6 * n; ++j)
+	{
+		const double factor = x[6 * size_t(condensed.m_bodies[j / 6]) + j % 6];
+		const double* const column = &condensed.m_matrix[6 * n * j];
+		for (size_t b = 0; b < n; ++b)
+			for (size_t k = 0; k < 6; ++k)
+				y[6 * size_t(condensed.m_bodies[b]) + k] += factor * column[6 * b + k];
+	}
+}
+
+void addCondensedMomentum(const SystemInput& input, std::vector<double>& momentum)
+{
+	const SystemInput::Condensed& condensed = input.m_condensed;
+	for (size_t b = 0; b < condensed.m_bodies.size(); ++b)
+		for (size_t i = 0; i < 6; ++i)
+			momentum[6 * size_t(condensed.m_bodies[b]) + i] += condensed.m_momentum[6 * b + i];
 }
 
 void divideByMass(const SystemInput& input, std::vector<double>& x)

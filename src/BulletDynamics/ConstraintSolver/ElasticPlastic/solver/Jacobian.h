@@ -22,10 +22,13 @@ void addImpulses(const SystemInput& input, const double* impulses, std::vector<d
 /// momentum += J^T lambda of one row.
 void addImpulse(const SystemInput::SingleRow& row, double impulse, std::vector<double>& momentum);
 
+/// momentum += what eliminated bodies leave.
+void addCondensedMomentum(const SystemInput& input, std::vector<double>& momentum);
+
 /// y = M x
 void multiplyMass(const SystemInput& input, const std::vector<double>& x, std::vector<double>& y);
 
-/// x = M^-1 x
+/// x = M^-1 x; without eliminated bodies only.
 void divideByMass(const SystemInput& input, std::vector<double>& x);
 }  // namespace btElasticPlastic
 

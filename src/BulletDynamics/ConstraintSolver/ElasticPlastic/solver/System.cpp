@@ -6,6 +6,7 @@
 #include <math.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "../linear/ScopedTimer.h"
 #include "Jacobian.h"
@@ -42,6 +43,16 @@ const double SHORT_STEP = 0.1;
 /// After so many short ones, or so many steps of any length that did not end the search, there is no end in sight.
 const int SHORT_STEPS = 2, PATIENCE = 5;
 
+// ---- when and where a search runs inside a place
+
+/// With fewer bodies a factor of the whole costs little.
+const int MANY_BODIES = 600;
+/// The most Newton steps with the whole before.
+const int LARGE_STEPS = 0;
+/// How far from contacts and flowing rows a place reaches, how far it grows from a row outside that has reached a bound, and how
+/// often it may.
+const int RINGS = 6, RINGS_MORE = 4, MOST_PLACES = 4;
+
 /// Nominal work of an evaluation, see btElasticPlasticStatistics::m_work.
 const double NANOSECONDS_A_ROW = 8;
 
@@ -49,10 +60,35 @@ const double NANOSECONDS_A_ROW = 8;
 const double FASTEST = 1e30;
 }  // namespace
 
+struct System::Place
+{
+	Condensation m_condensation;
+	System m_inside;
+
+	explicit Place(btElasticPlasticStatistics& statistics) : m_condensation(statistics), m_inside(statistics) {}
+};
+
+System::System(btElasticPlasticStatistics& statistics)
+	: m_statistics(statistics), m_linearSolver(statistics), m_matrix(m_linearSolver), m_interior(statistics)
+{
+}
+
+System::~System() = default;
+
 void System::setSettings(const btElasticPlasticSolverSettings& settings)
 {
 	m_settings = settings;
 	m_linearSolver.setSettings(settings);
+	m_place.reset();
+}
+
+void System::beginStep()
+{
+	m_linearSolver.beginStep();
+	if (!m_place)
+		return;
+	m_place->m_condensation.beginStep();
+	m_place->m_inside.beginStep();
 }
 
 /// To be called where H changes beside the rows' bounds.
@@ -103,6 +139,14 @@ double System::findResidual(const SystemInput& input)
 		m_residual[i] = -m_residual[i];
 	}
 	addImpulses(input, m_law.getImpulses(0), m_residual);
+	const SystemInput::Condensed& condensed = input.m_condensed;
+	for (size_t i = 0; i < condensed.m_momentum.size(); ++i)
+	{
+		const double term = m_velocity[6 * size_t(condensed.m_bodies[i / 6]) + i % 6] * condensed.m_momentum[i];
+		phi -= term;
+		m_phiTerms += fabs(term);
+	}
+	addCondensedMomentum(input, m_residual);
 	return phi;
 }
 
@@ -114,6 +158,7 @@ bool System::guess(const SystemInput& input)
 	m_law.holdBounds(input);
 	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
 	addImpulses(input, m_law.getImpulses(0), m_velocity);
+	addCondensedMomentum(input, m_velocity);
 	return solveLinear(input, m_velocity);
 }
 
@@ -159,7 +204,7 @@ bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 		m_statistics.m_work += (long long)(4 * NANOSECONDS_A_ROW * double(input.getNumRows()));
 		evaluate(input);
 		phi = findResidual(input);
-		if (!(phi == phi))
+		if (!btElasticPlasticIsNumber(phi))
 			return false;
 		shortSteps += length < SHORT_STEP;
 		if (!mayCrawl && (shortSteps >= SHORT_STEPS || step >= PATIENCE))
@@ -172,12 +217,31 @@ bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 bool System::findMinimum(SystemInput& input, Effort effort)
 {
 	const bool mayUseInterior = effort != PLAIN && m_settings.m_maxInteriorIterations > 0;
+	// What has been condensed once in this step stays so.
+	if (isLarge(input) && m_place && !m_place->m_condensation.isEmpty())
+	{
+		const Found found = searchInside(input, effort);
+		if (found != ELSEWHERE)
+			return found == SOLVED;
+	}
 	if (!mayUseInterior || !m_isHard)
 	{
 		if (!guess(input))
 			return false;
-		if (newton(input, true, effort == ROUGH ? PATIENCE : m_settings.m_maxNewtonSteps))
+		if (newton(input, true,
+				   isLarge(input)    ? std::min(LARGE_STEPS, m_settings.m_maxNewtonSteps)
+				   : effort == ROUGH ? PATIENCE
+									 : m_settings.m_maxNewtonSteps))
 			return true;
+		if (isLarge(input))
+		{
+			const Found found = searchInside(input, effort);
+			if (found != ELSEWHERE)
+				return found == SOLVED;
+			// It happens everywhere.
+			if (newton(input, false, effort == ROUGH ? PATIENCE : m_settings.m_maxNewtonSteps))
+				return true;
+		}
 		if (!mayUseInterior)
 			return false;
 		m_isHard = true;
@@ -227,6 +291,9 @@ double System::exactLength(const SystemInput& input)
 		along0 += m_work[i] * m_start[i];
 		along1 += m_work[i] * m_step[i];
 	}
+	const SystemInput::Condensed& condensed = input.m_condensed;
+	for (size_t i = 0; i < condensed.m_momentum.size(); ++i)
+		along0 -= condensed.m_momentum[i] * m_step[6 * size_t(condensed.m_bodies[i / 6]) + i % 6];
 	project(input, m_start, m_alongStart);
 	project(input, m_step, m_along);
 	m_law.beginLine(input, m_alongStart, m_along);
@@ -254,9 +321,16 @@ bool System::search(SystemInput& input, Effort effort)
 			forgetMatrix();
 		return progress.m_isOpen;
 	};
+	if (isLarge(input))
+	{
+		m_rowsBefore = input.m_rows;
+		m_law.getResult(m_before.m_impulses, m_before.m_bounds);
+	}
 	m_contacts.begin(input, m_law);
-	m_interiorHasSolved = m_hasSearched = false;
+	m_interiorHasSolved = m_insideHasSolved = m_hasSearched = m_isCut = false;
 	bool solved = findMinimum(input, effort);
+	if (m_insideHasSolved)
+		return finish();
 	bool open = effort != ROUGH && m_contacts.isAny() && tighten(1);
 	// The interior point method has no need of them: its contacts are hard.
 	for (int loop = 0; solved && open && !m_interiorHasSolved && !isSpent() && loop < m_settings.m_maxContactLoops;
@@ -265,6 +339,8 @@ bool System::search(SystemInput& input, Effort effort)
 		++m_statistics.m_contactLoops;
 		// The contacts' targets have changed, so the solution changes even if no bound does.
 		solved = findMinimum(input, effort);
+		if (m_insideHasSolved)
+			return finish();
 		open = tighten(loop + 2);
 	}
 	m_statistics.m_looseContacts += open;
@@ -276,24 +352,166 @@ bool System::search(SystemInput& input, Effort effort)
 		evaluate(input);
 		settle(input, m_law.getImpulses());
 	}
+	return finish();
+}
+
+/// \return false if the solution is not a number
+bool System::finish()
+{
 	for (const double v : m_velocity)
 		if (!(fabs(v) < FASTEST))
 		{
-			++m_statistics.m_fallbacks;
-			const size_t numRows = input.m_rows.size();
-			setResult({std::vector<double>(m_velocity.size(), 0.), std::vector<double>(numRows, 0.),
-					   std::vector<signed char>(numRows, 0)});
+			// IslandSolver finds it in the bodies, and withholds it.
+			std::fill(m_velocity.begin(), m_velocity.end(), std::numeric_limits<double>::quiet_NaN());
 			return false;
 		}
 	return true;
 }
 
-/// Gives impulses that are no solution what they lack. Within their bounds they within their bounds gain no energy as long as
+void System::forgetPlace()
+{
+	if (m_place)
+		m_place->m_condensation.clear();
+}
+
+bool System::isLarge(const SystemInput& input) const
+{
+	return m_settings.m_condenses && input.getNumBodies() >= MANY_BODIES && input.m_condensed.m_bodies.empty();
+}
+
+/// The bodies of contacts, and of rows that are at their bounds.
+void System::findPlaces(const SystemInput& input, std::vector<int>& bodies) const
+{
+	bodies.clear();
+	const auto add = [&](const int body[2])
+	{
+		for (int side = 0; side < 2; ++side)
+			if (body[side] >= 0)
+				bodies.push_back(body[side]);
+	};
+	for (const SystemInput::Unit& unit : input.m_units)
+		for (int r = 0; r < unit.m_numRows; ++r)
+			if (*m_law.getBounds(unit.m_firstRow + r) != 0)
+			{
+				add(unit.m_body);
+				break;
+			}
+	for (const SystemInput::SingleRow& row : input.m_singleRows)
+		if (row.m_isContact)
+			add(row.m_body);
+}
+
+/// Searches a large problem where something happens only.
+System::Found System::searchInside(SystemInput& input, Effort effort)
+{
+	if (!m_place)
+		m_place.reset(new Place(m_statistics));
+	Condensation& condensation = m_place->m_condensation;
+	System& inside = m_place->m_inside;
+	std::vector<int> bodies;
+	// As before the search: the bounds at which rows outside stay, and contacts without multipliers.
+	SystemResult held = m_before;
+	m_law.setResult(held.m_impulses, held.m_bounds);
+	input.m_rows = m_rowsBefore;
+	const bool isAgain = !condensation.isEmpty();
+	if (isAgain)
+	{
+		if (!condensation.condenseAgain(input, m_law))
+		{
+			m_contacts.begin(input, m_law);
+			return ELSEWHERE;
+		}
+	}
+	else
+	{
+		findPlaces(input, bodies);
+		if (bodies.empty() || !condensation.choose(input, bodies, RINGS) || !condensation.condense(input, m_law))
+		{
+			condensation.clear();
+			m_contacts.begin(input, m_law);
+			return ELSEWHERE;
+		}
+	}
+	for (int turn = 0; turn < MOST_PLACES; ++turn)
+	{
+		btElasticPlasticSolverSettings settings = m_settings;
+		if (m_settings.m_maxWork > 0)
+			settings.m_maxWork = std::max(m_workEnd - m_statistics.m_work, 1ll);
+		inside.setSettings(settings);
+		int islandId = 0;
+		// What is rough between sweeps is exact here: it costs little.
+		if (!inside.solve(condensation.getInput(), islandId, effort == PLAIN ? PLAIN : EXACT))
+		{
+			if (effort == PLAIN)
+				return GAVE_UP;
+			break;
+		}
+		SystemResult result = inside.getResult();
+		condensation.expand(result.m_velocity, m_velocity);
+		m_law.setResult(held.m_impulses, held.m_bounds);
+		evaluate(input);
+		bodies.clear();
+		const auto check = [&](int firstRow, int numRows, const int body[2])
+		{
+			for (int r = firstRow; r < firstRow + numRows; ++r)
+				if (!condensation.isRowInside(r) && *m_law.getBounds(r) != held.m_bounds[size_t(r)])
+				{
+					for (int side = 0; side < 2; ++side)
+						if (body[side] >= 0)
+							bodies.push_back(body[side]);
+					return;
+				}
+		};
+		for (const SystemInput::Unit& unit : input.m_units)
+			check(unit.m_firstRow, unit.m_numRows, unit.m_body);
+		for (const SystemInput::SingleRow& row : input.m_singleRows)
+			check(row.m_row, 1, row.m_body);
+		const std::vector<int>& rows = condensation.getRows();
+		SystemResult whole = getResult();
+		for (size_t i = 0; i < rows.size(); ++i)
+		{
+			const size_t r = size_t(rows[i]);
+			held.m_impulses[r] = whole.m_impulses[r] = result.m_impulses[i];
+			held.m_bounds[r] = whole.m_bounds[r] = result.m_bounds[i];
+		}
+		if (bodies.empty())
+		{
+			for (size_t i = 0; i < rows.size(); ++i)
+				input.m_rows[size_t(rows[i])] = condensation.getTerms(int(i));
+			m_insideHasSolved = true;
+			m_isHard = inside.m_isHard;
+			m_hasSearched = inside.m_hasSearched;
+			setResult(whole);
+			if (inside.m_isCut)
+				settle(input, whole.m_impulses);
+			return SOLVED;
+		}
+		m_law.setResult(held.m_impulses, held.m_bounds);
+		if (!condensation.enlarge(input, bodies, RINGS_MORE) || !condensation.condense(input, m_law))
+			break;
+	}
+	condensation.clear();
+	m_law.setResult(held.m_impulses, held.m_bounds);
+	m_contacts.begin(input, m_law);
+	forgetMatrix();
+	return ELSEWHERE;
+}
+
+/// Gives impulses that are no solution what they lack. Within their bounds they gain no energy as long as
 ///     1/2 lambda^T (A + C) lambda <= b^T lambda,
 /// since this is what the bodies and springs have less after the step. Scaled by a factor below 1 impulses stay within bounds that
 /// contain zero. The velocities follow from the impulses, and momentum is kept; which rows flow follows from the velocities.
 void System::settle(const SystemInput& input, std::vector<double> impulses)
 {
+	m_isCut = true;
+	if (!input.m_condensed.m_bodies.empty())
+	{
+		// The whole problem's search ends it.
+		SystemResult result = getResult();
+		result.m_impulses = impulses;
+		setResult(result);
+		return;
+	}
 	double gain = 0, cost = 0;
 	m_contacts.addWork(input, impulses, gain, cost);
 	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
@@ -344,6 +562,7 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 	m_matrixIsCurrent = false;
 	m_law.begin(input);
 	m_isHard = false;
+	forgetPlace();
 	m_workEnd = m_statistics.m_work + m_settings.m_maxWork;
 	m_velocity.assign(6 * size_t(input.getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());

@@ -4,11 +4,13 @@
 #ifndef BT_ELASTIC_PLASTIC_SYSTEM_H
 #define BT_ELASTIC_PLASTIC_SYSTEM_H
 
+#include <memory>
 #include <vector>
 
 #include "../../btElasticPlasticSolverSettings.h"
 #include "AugmentedContacts.h"
 #include "BoxLaw.h"
+#include "Condensation.h"
 #include "InteriorPoint.h"
 #include "SystemInput.h"
 #include "SystemMatrix.h"
@@ -39,14 +41,14 @@ struct SystemResult
 /// leave a bound in a step. Where hundreds do, its steps become short: then InteriorPoint comes close to the solution, and Newton's
 /// method ends the search from there. Loops around it make contacts hard, see AugmentedContacts.
 ///
+/// In a large problem the search runs in the places only where something happens, see Condensation.
+///
 /// A search that is cut gives impulses within their bounds all the same, see settle().
 class System
 {
 public:
-	explicit System(btElasticPlasticStatistics& statistics)
-		: m_statistics(statistics), m_linearSolver(statistics), m_matrix(m_linearSolver), m_interior(statistics)
-	{
-	}
+	explicit System(btElasticPlasticStatistics& statistics);
+	~System();
 
 	/// How exactly a problem is solved.
 	enum Effort
@@ -59,17 +61,20 @@ public:
 	void setSettings(const btElasticPlasticSolverSettings& settings);
 
 	/// Ages the plans and factors that are kept from step to step.
-	void beginStep() { m_linearSolver.beginStep(); }
+	void beginStep();
 
 	/// Solves a problem. The targets, compliances and bounds of contacts' rows in the input are changed.
 	/// \param islandId  the id that the last solution of the same island has left here, 0: none; gets the id for the next one
 	/// \param numSolutions  about how often solveAgain() will follow, this one included
-	/// \return false if the solution is not a number: then nothing changes, and no row has an impulse
+	/// \return false if the solution is not a number: then no velocity is
 	bool solve(SystemInput& input, int& islandId, Effort effort, int numSolutions = 1);
 
 	/// Solves the last problem again with other targets and bounds, from its solution on.
 	/// \return as solve(); false, too, if the effort was PLAIN and it was given up: then the result means nothing
 	bool solveAgain(SystemInput& input, Effort effort);
+
+	/// To be called where rows outside have other bounds than those of the last solution.
+	void forgetPlace();
 
 	/// Whether the problem's work is spent, so that what follows is cut.
 	bool hasWorkLeft() const { return !isSpent(); }
@@ -95,6 +100,16 @@ public:
 
 private:
 	bool search(SystemInput& input, Effort effort);
+	bool isLarge(const SystemInput& input) const;
+	enum Found
+	{
+		SOLVED,
+		GAVE_UP,   ///< with PLAIN effort
+		ELSEWHERE  ///< happens everywhere: the whole has to be searched
+	};
+	Found searchInside(SystemInput& input, Effort effort);
+	void findPlaces(const SystemInput& input, std::vector<int>& bodies) const;
+	bool finish();
 	bool guess(const SystemInput& input);
 	bool findMinimum(SystemInput& input, Effort effort);
 	bool newton(const SystemInput& input, bool isGuess, int maxSteps);
@@ -119,6 +134,12 @@ private:
 	InteriorPoint m_interior;
 	double m_phiTerms = 0;    // sum of the absolute values of phi's terms
 	long long m_workEnd = 0;  // of the statistics' count, at which this island's is spent
+	/// Where something happens in a large problem; null in the problem inside.
+	struct Place;
+	std::unique_ptr<Place> m_place;
+	SystemResult m_before;  // a large problem's rows' impulses and bounds before the search
+	std::vector<SystemInput::Bounded> m_rowsBefore;
+	bool m_insideHasSolved = false, m_isCut = false;
 	bool m_interiorHasSolved = false, m_isHard = false, m_hasSearched = false;
 	bool m_boundsChanged = false;    // by the last evaluate()
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds

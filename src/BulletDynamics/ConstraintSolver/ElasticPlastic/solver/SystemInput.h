@@ -29,6 +29,10 @@ struct SystemInput
 		double m_compliance;  ///< C > 0
 		double m_lower;
 		double m_upper;
+		/// A row whose impulse adds to what this one asks for, J dv + C lambda + coupling lambda_partner = b, and the other way round;
+		/// -1: none. The compliance of both together is positive definite. Both are of one unit, or single rows of the same bodies.
+		int m_partner = -1;
+		double m_coupling = 0;
 	};
 
 	/// The impulse and bound of a row with which the search begins.
@@ -63,11 +67,20 @@ struct SystemInput
 		bool m_isContact = false;
 	};
 
+	/// What bodies that have been eliminated leave to the others: a mass, and a momentum, see Condensation.
+	struct Condensed
+	{
+		std::vector<int> m_bodies;
+		std::vector<double> m_matrix;    ///< symmetric and full, 6 by body, beside the bodies' own mass
+		std::vector<double> m_momentum;  ///< 6 by body
+	};
+
 	std::vector<Body> m_bodies;
 	std::vector<Unit> m_units;
 	std::vector<SingleRow> m_singleRows;
 	std::vector<Bounded> m_rows;  ///< of units and single rows, in the order in which they were added
 	std::vector<Guess> m_guess;   ///< of the same
+	Condensed m_condensed;
 
 	void clear();
 
@@ -88,6 +101,7 @@ inline void SystemInput::clear()
 	m_singleRows.clear();
 	m_rows.clear();
 	m_guess.clear();
+	m_condensed = Condensed();
 }
 
 inline SystemInput::Body& SystemInput::addBody()

@@ -18,14 +18,14 @@ class SystemMatrix
 public:
 	explicit SystemMatrix(LinearSolver& solver) : m_solver(solver) {}
 
-	/// Begins a problem. \param islandId, numSolutions  see LinearSolver::begin
-	void begin(const SystemInput& input, int islandId, int numSolutions);
+	/// Begins a problem. \param islandId, numSolutions, numLast  see LinearSolver::begin
+	void begin(const SystemInput& input, int islandId, int numSolutions, int numLast = 0);
 
 	/// Computes H for the rows' present tangents, and tells the linear solver what has changed since the last time.
 	void assemble(const SystemInput& input, BoxLaw& law);
 
 	/// Computes H for tangents that have nothing to do with the last ones.
-	/// \param tangents  with addTangent() and getTangent() of BoxLaw
+	/// \param tangents  with addTangent(), getTangent() and getTangentWithPartner() of BoxLaw
 	template <class Tangents>
 	void assembleAnew(const SystemInput& input, const Tangents& tangents)
 	{
@@ -38,30 +38,41 @@ private:
 	template <class Tangents>
 	void add(const SystemInput& input, const Tangents& tangents);
 	void addMasses(const SystemInput& input);
-	void addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9]);
-	void addSingleRow(const SystemInput::SingleRow& row, int edge, double tangent);
+	void addCondensed(const SystemInput::Condensed& condensed);
+	/// \param mixed  of shear and bending, null: none
+	void addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9],
+				 const double* mixed);
+	void addProduct(const SystemInput::SingleRow& a, const SystemInput::SingleRow& b, int edge, double tangent);
 	void noteChange(const int body[2], bool hasChanged);
 
 	LinearSolver& m_solver;
-	std::vector<int> m_edges;          // two bodies each
-	std::vector<int> m_unitEdge;       // of the matrix, per unit, -1: none
-	std::vector<int> m_singleRowEdge;  // the same per single row
-	std::vector<int> m_changedBodies;  // by the last assembly
+	std::vector<int> m_edges;           // two bodies each
+	std::vector<int> m_unitEdge;        // of the matrix, per unit, -1: none
+	std::vector<int> m_singleRowEdge;   // the same per single row
+	std::vector<int> m_condensedEdges;  // by pair of condensed bodies
+	std::vector<int> m_changedBodies;   // by the last assembly
 };
 
 template <class Tangents>
 void SystemMatrix::add(const SystemInput& input, const Tangents& tangents)
 {
 	addMasses(input);
+	addCondensed(input.m_condensed);
 	for (size_t i = 0; i < input.m_units.size(); ++i)
 	{
-		double linear[9] = {}, angular[9] = {};
-		tangents.addTangent(input, input.m_units[i], linear, angular);
-		addUnit(input.m_units[i], m_unitEdge[i], linear, angular);
+		double linear[9] = {}, angular[9] = {}, mixed[9] = {};
+		const bool isMixed = tangents.addTangent(input, input.m_units[i], linear, angular, mixed);
+		addUnit(input.m_units[i], m_unitEdge[i], linear, angular, isMixed ? mixed : nullptr);
 	}
 	for (size_t i = 0; i < input.m_singleRows.size(); ++i)
-		if (const double tangent = tangents.getTangent(input, input.m_singleRows[i].m_row))
-			addSingleRow(input.m_singleRows[i], m_singleRowEdge[i], tangent);
+	{
+		const SystemInput::SingleRow& row = input.m_singleRows[i];
+		if (const double tangent = tangents.getTangent(input, row.m_row))
+			addProduct(row, row, m_singleRowEdge[i], tangent);
+		if (const double beside = tangents.getTangentWithPartner(input, row.m_row))
+			addProduct(row, input.m_singleRows[i + size_t(input.m_rows[size_t(row.m_row)].m_partner - row.m_row)],
+					   m_singleRowEdge[i], beside);
+	}
 }
 }  // namespace btElasticPlastic
 

@@ -106,8 +106,14 @@ void OpenWork::addRow(Island& island, const btElasticPlasticJoint& joint, int r,
 	{
 		const double stiffness = capacity.m_stiffness[dof];
 		// The force that may be reached within a step: a row whose force stays below half of its yield value is not near yield.
+		// A coupled row is stiffer while its partner keeps still.
+		const double coupling = double(capacity.couplingCompliance(dof));
+		const double own =
+			coupling == 0
+				? stiffness
+				: 1 / (1 / stiffness - coupling * coupling * double(capacity.m_stiffness[capacity.coupledWith(dof)]));
 		const double ahead = fabs(double(joint.getForce(dof))) +
-							 stiffness * m_ahead * (fabs(double(after)) + change * m_ahead / (2 * m_length));
+							 own * m_ahead * (fabs(double(after)) + change * m_ahead / (2 * m_length));
 		if (joint.getPlasticPath(dof) == 0 && ahead < yield / 2)
 			return;
 		island.m_energy += 0.5 * yield * yield / stiffness;

@@ -8,6 +8,9 @@
 
 namespace btElasticPlastic
 {
+/// With more joints than this their data no longer fits the second level of a processor's cache.
+const int MANY_JOINTS = 400;
+
 /// The number of joints ahead of the present one whose data is prefetched.
 const int PREFETCH_AHEAD = 4;
 

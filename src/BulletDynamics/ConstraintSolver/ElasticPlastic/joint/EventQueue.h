@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_EVENT_QUEUE_H
+#define BT_ELASTIC_PLASTIC_EVENT_QUEUE_H
+
+#include "../../btElasticPlasticEvent.h"
+#include "GapList.h"
+
+namespace btElasticPlastic
+{
+/// Where a joint's unread events are in the queue, by type; -1: there is none.
+struct UnreadEvents
+{
+	int m_index[2] = {-1, -1};
+};
+
+/// Events that nobody has read yet, in the order in which they happened. It holds the newest of each joint and type: a joint
+/// that is repaired and breaks again and again takes no more room.
+class EventQueue
+{
+public:
+	void push(const btElasticPlasticEvent& event, UnreadEvents& ofJoint)
+	{
+		remove(ofJoint.m_index[event.m_type]);
+		m_events.append({event, &ofJoint.m_index[event.m_type]});
+	}
+
+	/// \return false if there is none
+	bool pop(btElasticPlasticEvent& event)
+	{
+		if (m_events.getCount() == 0)
+			return false;
+		Item& first = m_events.get(0);
+		event = first.m_event;
+		remove(*first.m_index);
+		return true;
+	}
+
+	/// Forgets all events of a joint.
+	void forget(UnreadEvents& ofJoint)
+	{
+		for (int& index : ofJoint.m_index)
+			remove(index);
+	}
+
+	int getCount() const { return m_events.getCount(); }
+
+private:
+	struct Item
+	{
+		BT_DECLARE_ALIGNED_ALLOCATOR();
+
+		btElasticPlasticEvent m_event;
+		int* m_index;  ///< the joint's, null in a gap
+
+		void setIndex(int index) { *m_index = index; }
+		bool isGap() const { return !m_index; }
+		void makeGap() { m_index = nullptr; }
+	};
+
+	void remove(int& index)
+	{
+		if (index < 0)
+			return;
+		m_events.remove(index);
+		index = -1;
+	}
+
+	GapList<Item> m_events;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_EVENT_QUEUE_H

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_JOINT_ROWS_H
+#define BT_ELASTIC_PLASTIC_JOINT_ROWS_H
+
+#include "Kinematics.h"
+#include "Law.h"
+#include "TensionDamping.h"
+
+namespace btElasticPlastic
+{
+/// A joint's rows of one step, for a solver that adds compliance to the diagonal.
+struct JointRows
+{
+	struct Row
+	{
+		int m_dof;
+		btScalar m_diagonal;  ///< A = J M^-1 J^T
+		SoftRow m_soft;
+		signed char m_bound;  ///< where the row ended in the last direct solution (-1, 0, 1): a first guess
+		int m_partner;        ///< the row with which it is coupled, -1: none
+		btScalar m_coupling;  ///< compliance between the two
+	};
+
+	Kinematics m_kinematics;  ///< gives the Jacobians
+	int m_numRows;
+	Row m_row[BT_EP_DOF_COUNT];
+	TensionDamping m_damping;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_JOINT_ROWS_H

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_FUZZ_SEQUENCE_H
+#define EP_FUZZ_SEQUENCE_H
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
+#include "fuzz/Chance.h"
+#include "fuzz/Quiet.h"
+
+/// A world with a quiet island in it.
+struct Arena
+{
+	btDefaultCollisionConfiguration m_configuration;
+	btCollisionDispatcher m_dispatcher{&m_configuration};
+	btDbvtBroadphase m_broadphase;
+	btElasticPlasticConstraintSolver m_direct;
+	btSequentialImpulseConstraintSolver m_stock;
+	btDiscreteDynamicsWorld m_world;
+	Quiet m_quiet;
+
+	explicit Arena(bool isStock)
+		: m_world(&m_dispatcher, &m_broadphase, isStock ? &m_stock : &m_direct, &m_configuration), m_quiet(m_world)
+	{
+		m_world.setGravity(btVector3(0, -10, 0));
+	}
+};
+
+/// Calls in random order to a world, its bodies, joints, action and solver, and what must be true after each of them. A legal
+/// sequence does what a game may do; a hostile one also passes what makes no sense. Beside it stands a twin: the same world without
+/// all that, whose quiet island has to have the same bits.
+class Sequence : btElasticPlasticListener
+{
+public:
+	Sequence(unsigned seed, bool isHostile);
+	~Sequence() override;
+
+	/// \return what is wrong; empty if nothing is
+	std::string run();
+
+private:
+	struct Joint
+	{
+		std::unique_ptr<btTypedConstraint> m_constraint;
+		btElasticPlasticJoint* m_joint;
+		btRigidBody *m_a, *m_b;
+		bool m_isOrphan;  ///< a body of it has been deleted: it may only be deleted, too
+	};
+	typedef void (Sequence::*Operation)();
+
+	static const std::vector<Operation>& legal();
+	static const std::vector<Operation>& hostile();
+
+	// ---- legal
+	void addBody();
+	void removeBody();
+	void deleteBodyAsBulletUsersDo();
+	void addJoint();
+	void deleteJoint();
+	void forgetJoint();
+	void addAgain();
+	void repair();
+	void changeCapacity();
+	void changeJoint();
+	void saveAndRestore();
+	void push();
+	void move();
+	void makeKinematic();
+	void step();
+	void stepControlled();
+	void changeThreads();
+	void changeListener();
+	void replaceAction();
+	void readEvents();
+	void readAll();
+
+	// ---- hostile
+	void badCapacity();
+	void badState();
+	void badDofs();
+	void badBody();
+	void badStep();
+	void badSettings();
+	void badFrames();
+	void joinToItself();
+	void joinWithoutWorld();
+	void takeBodyOut();
+	void putBodyIn();
+
+	// ---- the listener
+	void onYield(const btElasticPlasticEvent& event) override { check(event); }
+	void onBreak(const btElasticPlasticEvent& event) override;
+	void onRefused(btElasticPlasticJoint&, const char*) override {}
+	void onBadStep(btScalar, const char*) override {}
+
+	void makeBody(btScalar mass);
+	void join(btRigidBody& a, btRigidBody& b, const btTransform& frameInA, const btTransform& frameInB,
+			  const btElasticPlasticCapacity& capacity);
+	btElasticPlasticCapacity capacity();
+	void stepWorlds(btScalar dt, int most, btScalar fixed);
+	void erase(size_t joint);
+	void eraseBody(size_t body);
+	void setAction(std::unique_ptr<btElasticPlasticAction> action);
+	Joint* anyJoint();
+	btRigidBody* anyBody();
+	void check(const btElasticPlasticEvent& event);
+	void checkAll();
+	void complain(const std::string& what);
+
+	Chance m_chance;
+	const bool m_isHostile;
+	const int m_form;  ///< 0 iterative, 1 stock, else direct
+	Arena m_arena, m_twin;
+	btBoxShape m_shape{btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5))};
+	std::unique_ptr<btElasticPlasticAction> m_action;
+	btElasticPlasticStepControl m_control;
+	std::vector<std::unique_ptr<btRigidBody>> m_bodies;
+	std::vector<Joint> m_joints;
+	std::set<const btElasticPlasticJoint*> m_known;  ///< to the action
+	bool m_deletesInListener = false;
+	bool m_hasTwin = true;
+	std::string m_complaint;
+};
+
+#endif  // EP_FUZZ_SEQUENCE_H
