@@ -37,23 +37,29 @@ ReplayScene::ReplayScene(const std::string& title, const std::function<std::stri
 	measure();
 }
 
-void ReplayScene::begin(World& world)
+void ReplayScene::begin()
 {
 	m_frames.clear();
 	m_bodies.clear();
 	m_interval = FRAME;
-	for (const auto& body : world.bodies())
+}
+
+/// Bodies that are new: some appear on the way.
+void ReplayScene::addBodies(const World& world)
+{
+	for (size_t i = m_bodies.size(); i < world.bodies().size(); ++i)
 	{
+		const btRigidBody& body = *world.bodies()[i];
 		btVector3 low, high;
-		body->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
-		m_bodies.push_back({high - low, body->getInvMass() == 0});
+		body.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+		m_bodies.push_back({high - low, body.getInvMass() == 0});
 	}
 }
 
 void ReplayScene::record(World& world, double time)
 {
 	if (time == 0)
-		begin(world);
+		begin();
 	if (!m_frames.empty() && time < m_frames.back().time + m_interval * 0.999)
 		return;
 	// What takes hours is played faster: of every two frames one goes.
@@ -64,9 +70,10 @@ void ReplayScene::record(World& world, double time)
 		m_frames.resize(MOST_FRAMES / 2);
 		m_interval *= 2;
 	}
+	addBodies(world);
 	m_frames.push_back({time, {}, {}});
 	for (const auto& body : world.bodies())
-		m_frames.back().poses.push_back(body->getCenterOfMassTransform());
+		m_frames.back().bodies.push_back({body->getCenterOfMassTransform(), body->isInWorld()});
 	for (const btElasticPlasticJoint* joint : world.joints())
 		m_frames.back().joints.push_back({joint->getPosition(), markOf(*joint), float(joint->getUtilisation()),
 										  float(joint->getDamage()), joint->isBroken()});
@@ -78,19 +85,20 @@ void ReplayScene::measure()
 {
 	m_low.setValue(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
 	m_high = -m_low;
-	for (size_t i = 0; i < m_bodies.size(); ++i)
+	const std::vector<Placed>& start = m_frames.front().bodies;
+	for (size_t i = 0; i < start.size(); ++i)
 		if (!m_bodies[i].isFixed)
 		{
-			m_low.setMin(m_frames.front().poses[i].getOrigin() - m_bodies[i].size / 2);
-			m_high.setMax(m_frames.front().poses[i].getOrigin() + m_bodies[i].size / 2);
+			m_low.setMin(start[i].pose.getOrigin() - m_bodies[i].size / 2);
+			m_high.setMax(start[i].pose.getOrigin() + m_bodies[i].size / 2);
 		}
 	const btScalar size = (m_high - m_low).length();
 	btScalar displacement = 0;
 	for (const Frame& frame : m_frames)
-		for (size_t i = 0; i < m_bodies.size(); ++i)
+		for (size_t i = 0; i < start.size(); ++i)
 		{
-			const btVector3& place = frame.poses[i].getOrigin();
-			const btScalar way = (place - m_frames.front().poses[i].getOrigin()).length();
+			const btVector3& place = frame.bodies[i].pose.getOrigin();
+			const btScalar way = (place - start[i].pose.getOrigin()).length();
 			// What flies off may leave the picture.
 			if (m_bodies[i].isFixed || !(way < size))
 				continue;
@@ -115,7 +123,10 @@ void ReplayScene::step(const Controls&)
 
 btTransform ReplayScene::magnified(size_t body) const
 {
-	const btTransform &start = m_frames.front().poses[body], &now = frame().poses[body];
+	const btTransform& now = frame().bodies[body].pose;
+	const std::vector<Placed>& first = m_frames.front().bodies;
+	// What appears on the way is drawn where it is.
+	const btTransform& start = body < first.size() ? first[body].pose : now;
 	const btScalar by = btScalar(m_magnification);
 	const btQuaternion turn = now.getRotation() * start.getRotation().inverse();
 	const btScalar angle = turn.getAngleShortestPath() * by;
@@ -136,8 +147,10 @@ btVector3 ReplayScene::shown(const btVector3& place) const
 Drawing ReplayScene::draw() const
 {
 	Drawing drawing;
-	for (size_t i = 0; i < m_bodies.size(); ++i)
+	for (size_t i = 0; i < frame().bodies.size(); ++i)
 	{
+		if (!frame().bodies[i].isThere)
+			continue;
 		const btTransform pose = magnified(i);
 		const btVector3 size = m_bodies[i].size * btScalar(m_size);
 		// What is much larger than the structure is but where it lies on.

@@ -45,14 +45,20 @@ private:
 		float utilisation, damage;
 		bool isBroken;
 	};
+	struct Placed
+	{
+		btTransform pose;
+		bool isThere;  ///< in the world
+	};
 	struct Frame
 	{
 		double time;
-		std::vector<btTransform> poses;
+		std::vector<Placed> bodies;  ///< those that have appeared so far
 		std::vector<Joint> joints;
 	};
 
-	void begin(World& world);
+	void begin();
+	void addBodies(const World& world);
 	void record(World& world, double time);
 	void measure();
 	const Frame& frame() const { return m_frames[std::min(m_frame, m_frames.size() - 1)]; }

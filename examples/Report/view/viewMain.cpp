@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// ep-view: a reference problem or a trial of stability in a window.
+// ep-view: a reference problem, a trial of stability or a scene of destruction in a window.
 
 #include <CLI/CLI.hpp>
 #include <iostream>
@@ -10,6 +10,7 @@
 #include "cli/OptionRange.h"
 #include "cli/WindowOptions.h"
 #include "problems/Catalogue.h"
+#include "scenes/destruction/Catalogue.h"
 #include "text/Format.h"
 #include "trials/Catalogue.h"
 #include "view/ReplayScene.h"
@@ -22,8 +23,8 @@ struct Options
 	explicit Options(CLI::App& app)
 	{
 		const auto rate = [this](int perSecond) { stepping.step = 1. / perSecond; };
-		app.add_option("name", name, "Of a problem, or of a trial: group/name");
-		app.add_flag("--list", list, "Name problems and trials, and end");
+		app.add_option("name", name, "Of a problem, of a scene of destruction, or of a trial: group/name");
+		app.add_flag("--list", list, "Name problems, scenes and trials, and end");
 		addNamedOption(app, "--solver", solver, "How it is solved", ep::solvers());
 		addNamedOption(app, "--joint", joints, "What holds bodies together", ep::jointKinds());
 		app.add_option_function<int>("--rate", rate, "Steps per second of a problem; a trial has steps of its own")
@@ -52,6 +53,9 @@ std::string list()
 	std::string text = "problems\n";
 	for (const ep::Problem& problem : ep::problems())
 		text += std::string("  ") + problem.name + ": " + problem.what + "\n";
+	text += "scenes of destruction (--solver stock: in Bullet's own way)\n";
+	for (const ep::DestructionScene& scene : ep::destructionScenes())
+		text += std::string("  ") + scene.name + ": " + scene.what + "\n";
 	text += "trials\n";
 	for (const ep::Trial& trial : ep::stabilityTrials())
 		text += "  " + trial.fullName() + "\n";
@@ -72,22 +76,31 @@ std::string tryOut(const ep::Trial& trial, const ep::Method& method, const ep::W
 	return verdict.isGreen() ? "all is well" : verdict.complaint();
 }
 
+std::string destroy(const ep::DestructionScene& scene, bool isBulletsWay, const ep::Watch& watch)
+{
+	return ep::format("%d joints broken", ep::playDestruction(scene, isBulletsWay, watch));
+}
+
 ep::ReplayScene sceneOf(const Options& o)
 {
 	const ep::Method method(o.solver, o.joints, 10);
 	if (const ep::Problem* const problem = ep::findProblem(o.name))
 		return {std::string(problem->name) + ": " + problem->what,
 				[&](const ep::Watch& watch) { return solve(*problem, method, o.stepping, watch); }};
+	if (const ep::DestructionScene* const scene = ep::findDestructionScene(o.name))
+		return {std::string(scene->name) + ": " + scene->what,
+				[&](const ep::Watch& watch) { return destroy(*scene, o.solver == ep::Solver::Stock, watch); }};
 	if (const ep::Trial* const trial = ep::findTrial(o.name))
 		return {trial->fullName(), [&](const ep::Watch& watch) { return tryOut(*trial, method, watch); }};
-	throw std::runtime_error("there is no problem or trial '" + o.name + "'; --list names them");
+	throw std::runtime_error("there is no problem, scene or trial '" + o.name + "'; --list names them");
 }
 }  // namespace
 
 int main(int argc, char** argv)
 {
 	CLI::App app(
-		"A reference problem or a trial of stability in a window: computed first, then played again and again");
+		"A reference problem, a trial of stability or a scene of destruction in a window: computed first, then played "
+		"again and again");
 	Options options(app);
 	CLI11_PARSE(app, argc, argv);
 	try

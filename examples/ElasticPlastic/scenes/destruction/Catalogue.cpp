@@ -63,7 +63,7 @@ const DestructionScene* findDestructionScene(const std::string& name)
 	return nullptr;
 }
 
-void playDestruction(const DestructionScene& scene, bool isBulletsWay, const Watch& watch)
+int playDestruction(const DestructionScene& scene, bool isBulletsWay, const Watch& watch)
 {
 	Stage::Settings settings;
 	settings.isBulletsWay = isBulletsWay;
@@ -77,5 +77,6 @@ void playDestruction(const DestructionScene& scene, bool isBulletsWay, const Wat
 		stage.step();
 		watch(stage.world(), stage.frame() * Stage::FRAME);
 	}
+	return stage.numBroken();
 }
 }  // namespace ep

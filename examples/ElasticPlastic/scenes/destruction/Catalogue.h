@@ -28,8 +28,8 @@ const std::vector<DestructionScene>& destructionScenes();
 /// \return null if there is none of that name
 const DestructionScene* findDestructionScene(const std::string& name);
 
-/// Builds a scene and plays it; for looking at it.
-void playDestruction(const DestructionScene& scene, bool isBulletsWay, const Watch& watch);
+/// Builds a scene and plays it; for looking at it. \return how many joints have broken
+int playDestruction(const DestructionScene& scene, bool isBulletsWay, const Watch& watch);
 }  // namespace ep
 
 #endif  // EP_DESTRUCTION_CATALOGUE_H
