@@ -74,7 +74,7 @@ bool JointStep::evaluate(btScalar dt)
 	btScalar velocity[BT_EP_DOF_COUNT];
 	m_spin0 = A.getAngularVelocity() - B.getAngularVelocity();
 	m_dampingImpulse.setZero();
-	m_hasRecovery = false;
+	m_hasRecovery = m_isCut = false;
 	project(linear, m_spin0, velocity);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
@@ -276,6 +276,25 @@ ReturnMapping JointStep::returnMap(int r) const
 	return ImplicitLaw().returnMap(s, outcome, m_dt);
 }
 
+/// What a search that has been cut leaves: a force that is less than the deformation's. The deformation beyond it is plastic where the
+/// row flows, with this force's work; elsewhere it is given up, so that no energy is stored that nobody has given.
+ReturnMapping JointStep::mapCut(int r) const
+{
+	const Row& row = m_row[r];
+	const RowOutcome outcome = outcomeOf(r);
+	ReturnMapping mapped;
+	mapped.m_force = row.m_impulse / m_dt;
+	btScalar beyond = outcome.m_trial;
+	if (!m_model.m_capacity.isRigidPlastic(row.m_dof))
+		beyond -= mapped.m_force / m_model.m_capacity.m_stiffness[row.m_dof];
+	if (row.m_partner >= 0)
+		beyond -= m_model.m_capacity.couplingCompliance(row.m_dof) * m_row[row.m_partner].m_impulse / m_dt;
+	const bool flows = outcome.m_bound != 0 && beyond * mapped.m_force > 0;
+	mapped.m_increment = flows ? beyond : btScalar(0);
+	mapped.m_unloaded = flows || m_model.m_capacity.isRigidPlastic(row.m_dof) ? btScalar(0) : beyond;
+	return mapped;
+}
+
 /// Twice the work of the step's impulses on the bodies: that of each is exactly impulse times mean velocity. It is finite only if all
 /// of them are.
 /// \param velocity1  J v at the end of the step, of all degrees of freedom
@@ -317,7 +336,7 @@ int JointStep::commit()
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 		m_row[r].m_velocity1 = velocity1[m_row[r].m_dof];
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
-		mappedRows[r] = returnMap(r);
+		mappedRows[r] = m_isCut && !m_model.m_isPaper ? mapCut(r) : returnMap(r);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		Row& row = m_row[r];
@@ -332,7 +351,8 @@ int JointStep::commit()
 		increment[i] = mapped.m_increment;
 		state.m_plastic[i] += mapped.m_increment;
 		state.m_plasticPath[i] += btFabs(mapped.m_increment);
-		state.m_plasticEnergy += double(m_model.m_capacity.m_yield[i]) * btFabs(double(mapped.m_increment));
+		const double force = m_isCut ? btFabs(double(mapped.m_force)) : double(m_model.m_capacity.m_yield[i]);
+		state.m_plasticEnergy += force * btFabs(double(mapped.m_increment));
 		flowed = true;
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)

@@ -58,6 +58,9 @@ public:
 		m_lastBound[m_row[r].m_dof] = static_cast<signed char>(bound);
 	}
 
+	/// Tells that the impulses are of a search that has been cut: they obey the law, and do not belong to the deformation.
+	void setCut() { m_isCut = true; }
+
 	/// That the bodies' places move in the step beside their velocities, to take penetration back.
 	/// \param linear, angular   velocities of that motion, of both bodies
 	/// \param impulses, bounds  of the rows against all of the motion, see setImpulse()
@@ -122,6 +125,7 @@ private:
 	void couple(JointRows& rows);
 	RowOutcome outcomeOf(int r) const;
 	ReturnMapping returnMap(int r) const;
+	ReturnMapping mapCut(int r) const;
 	void takeBackKinematicMotion();
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
@@ -131,7 +135,7 @@ private:
 	btScalar m_dt = 0;
 	btScalar m_withheld[BT_EP_DOF_COUNT];  ///< strain that this step leaves to later ones, see withholdDrift()
 	btScalar m_withheldStep = 0;
-	bool m_hasRecovery = false;
+	bool m_hasRecovery = false, m_isCut = false;
 	RecoveryRow m_recovery[BT_EP_DOF_COUNT];
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step

@@ -466,7 +466,7 @@ void DirectForm::solve(const SolverPools& pools, const btContactSolverInfo& info
 	// The first joint of an island keeps the island's id.
 	const bool isSolved = m_system.solve(m_input, m_joints[0].m_works->m_islandId, System::EXACT);
 	writeVelocities(pools);
-	if (isSolved && m_recovery.hasContacts())
+	if (isSolved && m_recovery.hasContacts() && !m_system.isCut())
 		m_recovery.solve(m_system, m_input, {});
 }
 
@@ -504,7 +504,7 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 		for (int i = 0; i < most && done < sweeps; ++i, ++done)
 			m_swept.sweep(pools, rowSolvers);
 	}
-	if (!isSolved || !(m_swept.hasRecovery() || m_recovery.hasContacts()))
+	if (!isSolved || m_system.isCut() || !(m_swept.hasRecovery() || m_recovery.hasContacts()))
 		return;
 	std::vector<double> push;
 	if (m_swept.hasRecovery())
@@ -626,6 +626,8 @@ void DirectForm::finish()
 		const Joint& joint = m_joints[j];
 		if (m_recovery.hasMotion())
 			giveRecovery(joint);
+		if (m_system.isCut())
+			joint.m_works->m_step.setCut();
 		if (joint.m_firstDamping >= 0)
 			joint.m_works->m_step.setDampingImpulse(dampingImpulse(joint));
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),

@@ -76,6 +76,9 @@ public:
 	/// To be called where rows outside have other bounds than those of the last solution.
 	void forgetPlace();
 
+	/// Whether the last search was cut.
+	bool isCut() const { return m_isCut; }
+
 	/// Whether the problem's work is spent, so that what follows is cut.
 	bool hasWorkLeft() const { return !isSpent(); }
 

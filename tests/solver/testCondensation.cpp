@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// A large problem solved in places: the same solution as of the whole.
+
+#include <gtest/gtest.h>
+
+#include <math.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/System.h"
+
+namespace
+{
+using btElasticPlastic::System;
+using btElasticPlastic::SystemInput;
+
+/// A grid of bodies of 1 kg, each joined to its neighbours to the right and below by six rows with bounds, the upper row held. One body
+/// is pushed by an impulse given as the targets of its rows.
+SystemInput grid(int columns, int rows, int pushed, double push)
+{
+	SystemInput input;
+	for (int b = 0; b < columns * rows; ++b)
+	{
+		SystemInput::Body& body = input.addBody();
+		for (double& mass : body.m_mass)
+			mass = 1;
+		for (int i = 0; i < 9; ++i)
+			body.m_inertia[i] = i % 4 == 0 ? 0.2 : 0;
+	}
+	const auto join = [&](int a, int b, double x, double y)
+	{
+		SystemInput::Unit& unit = input.addUnit(6);
+		for (int axis = 0; axis < 3; ++axis)
+			for (int i = 0; i < 3; ++i)
+				unit.m_axis[axis][i] = axis == i;
+		const double arm[2][3] = {{x, y, 0}, {-x, -y, 0}};
+		for (int side = 0; side < 2; ++side)
+			std::copy(arm[side], arm[side] + 3, unit.m_arm[side]);
+		unit.m_body[0] = a;
+		unit.m_body[1] = b;
+		for (int r = 0; r < 6; ++r)
+		{
+			unit.m_dof[r] = static_cast<signed char>(r);
+			SystemInput::Bounded& row = input.m_rows[size_t(unit.m_firstRow + r)];
+			row.m_compliance = 1e-3;
+			row.m_upper = r < 3 ? 1 : 0.3;
+			row.m_lower = -row.m_upper;
+			// The impulse on the pushed body, as a velocity that its rows see.
+			row.m_target = r == 2 ? ((a == pushed) - (b == pushed)) * -push : 0;
+		}
+	};
+	for (int y = 0; y < rows; ++y)
+		for (int x = 0; x < columns; ++x)
+		{
+			const int b = y * columns + x;
+			if (y == 0)
+				join(-1, b, 0, -0.5);
+			if (x + 1 < columns)
+				join(b, b + 1, 0.5, 0);
+			if (y + 1 < rows)
+				join(b, b + columns, 0, 0.5);
+		}
+	// What flowed in the last step: around the pushed body.
+	for (const SystemInput::Unit& unit : input.m_units)
+		if (unit.m_body[0] == pushed || unit.m_body[1] == pushed)
+			input.m_guess[size_t(unit.m_firstRow + 2)].m_bound = 1;
+	return input;
+}
+
+struct Solved
+{
+	btElasticPlasticStatistics m_statistics;
+	std::vector<double> m_velocity, m_impulses;
+
+	Solved(SystemInput input, bool condenses)
+	{
+		System system(m_statistics);
+		btElasticPlasticSolverSettings settings;
+		settings.m_condenses = condenses;
+		settings.m_maxIterations = 0;
+		system.setSettings(settings);
+		int islandId = 0;
+		EXPECT_TRUE(system.solve(input, islandId, System::EXACT));
+		m_velocity = system.getResult().m_velocity;
+		m_impulses = system.getResult().m_impulses;
+	}
+};
+
+TEST(Condensation, AgreesWithTheWhole)
+{
+	for (const double push : {2., 10., 50.})
+	{
+		SCOPED_TRACE(push);
+		const int columns = 30, rows = 30, pushed = 15 * columns + 14;
+		const SystemInput input = grid(columns, rows, pushed, push);
+		const Solved whole(input, false), inPlace(input, true);
+		double largest = 0;
+		for (const double v : whole.m_velocity)
+			largest = std::max(largest, fabs(v));
+		EXPECT_GT(largest, 0.1);
+		// Both end with the exact solution for the same bounds: the rest is rounding, times the matrix's condition of 1e6.
+		for (size_t i = 0; i < whole.m_velocity.size(); ++i)
+			ASSERT_NEAR(whole.m_velocity[i], inPlace.m_velocity[i], 1e-9 * largest) << i;
+		for (size_t i = 0; i < whole.m_impulses.size(); ++i)
+			ASSERT_NEAR(whole.m_impulses[i], inPlace.m_impulses[i], 1e-7) << i;
+		// An island of its own, the place, was solved.
+		EXPECT_EQ(1, whole.m_statistics.m_islands);
+		EXPECT_GT(inPlace.m_statistics.m_islands, 1);
+	}
+}
+
+TEST(Condensation, LooksFurtherWhereRowsOutsideReachABound)
+{
+	// A push that makes rows flow up to the held edge, far beyond the first place.
+	const int columns = 30, rows = 30, pushed = 15 * columns + 14;
+	SystemInput input = grid(columns, rows, pushed, 500);
+	const Solved whole(input, false), inPlace(input, true);
+	for (size_t i = 0; i < whole.m_velocity.size(); ++i)
+		ASSERT_NEAR(whole.m_velocity[i], inPlace.m_velocity[i], 1e-6) << i;
+}
+}  // namespace
