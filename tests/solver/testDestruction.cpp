@@ -109,8 +109,7 @@ TEST(Destruction, ContactsPushAndFrictionHasItsBounds)
 			 });
 		EXPECT_GE(least, 0.);
 		// Friction's bounds follow the normal impulses of contacts that are solved exactly to 1 % of the largest
-		// (btElasticPlasticSolverSettings::m_contactTolerance), less well where rounds end before (m_looseContacts). Bullet's sweeps
-		// leave friction as it was when a contact's normal impulse has come to 0.
+		// (btElasticPlasticSolverSettings::m_contactTolerance), less well where rounds end before (m_looseContacts).
 		EXPECT_LE(beyond, 0.05 * largest);
 	}
 }
