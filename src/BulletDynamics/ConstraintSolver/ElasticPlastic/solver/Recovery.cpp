@@ -18,10 +18,12 @@ namespace
 {
 /// Recovery that is slower stays where Bullet has put it: its energy is next to nothing, and a second solution is not worth it [m/s].
 const double SLOW = 0.1;
+/// Recovery that is faster waits where a joint would begin to yield by it: a contact that is found a hand deep would tear joints at
+/// rest [m/s].
+const double FAST = 0.5;
 /// How many times the impulse that would part the two bodies by themselves recovery may push. 4 leaves some of 300 random drops on
 /// beams deep for long, without a bound one of twenty makes energy; 16 does neither.
 const double MOST_PUSH = 16;
-const double UNBOUNDED = 1e30;
 
 /// A contact that a user has given a stiffness or an error reduction of its own.
 bool hasItsOwn(const btManifoldPoint& point)
@@ -55,48 +57,26 @@ void Recovery::begin()
 	m_motion.clear();
 }
 
-/// Joints are linear here, whatever they do in the first solution: recovery is to make none yield, and none that yields flow further.
-void Recovery::makeLinear(SystemInput& input, SystemResult& start) const
+/// Whether a joint flows in the second solution that does not in the first: recovery that would tear it waits.
+bool Recovery::makesYield(const SystemInput& input) const
 {
-	std::vector<double> along;
-	project(input, m_first.m_velocity, along);
 	for (const SystemInput::Unit& unit : input.m_units)
 		for (size_t r = size_t(unit.m_firstRow); r < size_t(unit.m_firstRow + unit.m_numRows); ++r)
-		{
-			SystemInput::Bounded& row = input.m_rows[r];
-			// As if the row had come to its impulse without a bound.
-			row.m_target = along[r] + row.m_compliance * m_first.m_impulses[r];
-			if (row.m_partner >= 0)
-				row.m_target += row.m_coupling * m_first.m_impulses[size_t(row.m_partner)];
-			row.m_lower = -UNBOUNDED;
-			row.m_upper = UNBOUNDED;
-			start.m_bounds[r] = 0;
-		}
-}
-
-/// The share of the second solution's difference that keeps the joints that do not yield within their bounds.
-double Recovery::findShare(const SystemInput& input) const
-{
-	double share = 1;
-	for (const SystemInput::Unit& unit : input.m_units)
-		for (size_t r = size_t(unit.m_firstRow); r < size_t(unit.m_firstRow + unit.m_numRows); ++r)
-		{
-			const double first = m_first.m_impulses[r], change = m_second.m_impulses[r] - first;
-			const double room = change > 0 ? m_rows[r].m_upper - first : first - m_rows[r].m_lower;
-			if (m_first.m_bounds[r] == 0 && fabs(change) * share > room)
-				share = std::max(room, 0.) / fabs(change);
-		}
-	return share;
+			if (m_second.m_bounds[r] != 0 && m_first.m_bounds[r] == 0)
+				return true;
+	return false;
 }
 
 void Recovery::solve(System& system, SystemInput& input, const std::vector<double>& push)
 {
 	m_first = system.getResult();
 	input.m_rows = m_rows;
-	SystemResult start = m_first;
-	makeLinear(input, start);
+	double fastest = 0;
+	for (const double speed : push)
+		fastest = std::max(fastest, fabs(speed));
 	for (const Contact& contact : m_contacts)
 	{
+		fastest = std::max(fastest, contact.m_speed);
 		SystemInput::Bounded& row = input.m_rows[size_t(contact.m_row)];
 		row.m_target += contact.m_speed;
 		row.m_upper = m_first.m_impulses[size_t(contact.m_row)] + MOST_PUSH * contact.m_speed * contact.m_alone;
@@ -108,24 +88,19 @@ void Recovery::solve(System& system, SystemInput& input, const std::vector<doubl
 		for (size_t i = 0; i < along.size(); ++i)
 			input.m_rows[i].m_target -= along[i];
 	}
-	system.setResult(start);
-	system.forgetPlace();
 	// What does not converge stays deep for a step: places are not worth as much as velocities.
 	if (system.solveAgain(input, System::PLAIN))
 	{
 		m_second = system.getResult();
-		const double share = findShare(input);
+		if (fastest > FAST && makesYield(input))
+		{
+			system.setResult(m_first);
+			return;
+		}
 		m_motion = push;
 		m_motion.resize(m_first.m_velocity.size());
 		for (size_t i = 0; i < m_motion.size(); ++i)
-			m_motion[i] = share * (m_motion[i] + m_second.m_velocity[i] - m_first.m_velocity[i]);
-		for (size_t r = 0; r < m_second.m_impulses.size(); ++r)
-		{
-			const double first = m_first.m_impulses[r];
-			m_second.m_impulses[r] =
-				m_first.m_bounds[r] != 0 ? first : first + share * (m_second.m_impulses[r] - first);
-		}
-		m_second.m_bounds = m_first.m_bounds;
+			m_motion[i] += m_second.m_velocity[i] - m_first.m_velocity[i];
 	}
 	system.setResult(m_first);
 }

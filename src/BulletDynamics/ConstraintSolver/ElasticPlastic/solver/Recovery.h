@@ -18,9 +18,8 @@ namespace btElasticPlastic
 /// Bullet adds what penetration is to lose in a step to a contact's velocity, or pushes the bodies' places apart as if nothing held
 /// them. Joined bodies feel both: the first gives energy, the second strains joints, and a normal that points along a beam wedges its
 /// blocks apart with any force. Here velocities are found without recovery. Then the same system is solved again with it, and the
-/// difference of the two solutions moves places only, as far as no joint begins to yield by it, or flows further. What recovery may push
-/// is bounded by some times the impulse that would part the two bodies by themselves. Joints take the second solution for their
-/// strain, the first for their work.
+/// difference of the two solutions moves places only; fast recovery waits where a joint would begin to yield by it. What recovery may push is bounded by some times the impulse that would part
+/// the two bodies by themselves. Joints take the second solution for their strain, the first for their work.
 class Recovery
 {
 public:
@@ -67,8 +66,7 @@ private:
 		double m_speed, m_alone;
 	};
 
-	void makeLinear(SystemInput& input, SystemResult& start) const;
-	double findShare(const SystemInput& input) const;
+	bool makesYield(const SystemInput& input) const;
 
 	std::vector<Contact> m_contacts;
 	std::vector<SystemInput::Bounded> m_rows;  // before the first solution

@@ -37,14 +37,16 @@ void SweptRows::sweep(const SolverPools& pools, const RowSolvers& solvers) const
 		const btSolverConstraint& row = pools.m_contacts[m_contacts[i]];
 		solvers.m_lowerLimit(bodies[row.m_solverBodyIdA], bodies[row.m_solverBodyIdB], row);
 	}
-	// Bullet holds friction to what the normal impulse is in the same sweep, and rolling friction to its coefficient, too.
+	// Bullet holds friction to what the normal impulse is in the same sweep, and rolling friction to its coefficient, too. It leaves
+	// friction as it was where the normal impulse has come to 0; here it is taken back.
 	const auto sweepFriction = [&](btConstraintArray& pool, const btAlignedObjectArray<int>& rows, bool isRolling)
 	{
 		for (int i = 0; i < rows.size(); ++i)
 		{
 			btSolverConstraint& row = pool[rows[i]];
-			const btScalar normal = pools.m_contacts[row.m_frictionIndex].m_appliedImpulse;
-			if (!(normal > 0))
+			const btScalar normal =
+				btMax(btScalar(0), btScalar(pools.m_contacts[row.m_frictionIndex].m_appliedImpulse));
+			if (normal == 0 && btScalar(row.m_appliedImpulse) == 0)
 				continue;
 			row.m_upperLimit = row.m_friction * normal;
 			if (isRolling)
