@@ -15,6 +15,8 @@ namespace ep
 {
 namespace
 {
+const int REPEATS = 2;
+
 /// What this thread has computed [s]: others on the same machine have no part in it.
 double threadTime()
 {
@@ -33,10 +35,33 @@ Stage::Settings settingsOf(const DestructionScene& scene, bool isBulletsWay)
 
 void step(Stage& stage, DestructionRun::Way& way)
 {
+	const size_t frame = size_t(stage.frame());
 	stage.playScript();
 	const double begin = threadTime();
 	stage.step();
-	way.times.push_back(threadTime() - begin);
+	const double time = threadTime() - begin;
+	if (frame == way.times.size())
+		way.times.push_back(time);
+	else
+		way.times[frame] = std::min(way.times[frame], time);
+}
+
+void playBothWays(const DestructionScene& scene, DestructionRun& run)
+{
+	Stage bullets(settingsOf(scene, true)), ours(settingsOf(scene, false));
+	scene.build(bullets);
+	scene.build(ours);
+	run.joints = ours.numJoints();
+	run.statistics.clear();
+	while (ours.frame() < scene.frames)
+	{
+		step(bullets, run.bullets);
+		ours.solver()->resetStatistics();
+		step(ours, run.ours);
+		run.statistics.push_back(ours.solver()->getStatistics());
+	}
+	run.ours.broken = ours.numBroken();
+	run.bullets.broken = bullets.numBroken();
 }
 
 void audit(const DestructionScene& scene, bool isBulletsWay, DestructionRun::Way& way)
@@ -86,21 +111,9 @@ DestructionRun DestructionRun::play(const DestructionScene& scene, bool isAudite
 {
 	DestructionRun run;
 	run.ours.largestGain = run.ours.summedGain = run.bullets.largestGain = run.bullets.summedGain = NAN;
-	{
-		Stage bullets(settingsOf(scene, true)), ours(settingsOf(scene, false));
-		scene.build(bullets);
-		scene.build(ours);
-		run.joints = ours.numJoints();
-		while (ours.frame() < scene.frames)
-		{
-			step(bullets, run.bullets);
-			ours.solver()->resetStatistics();
-			step(ours, run.ours);
-			run.statistics.push_back(ours.solver()->getStatistics());
-		}
-		run.ours.broken = ours.numBroken();
-		run.bullets.broken = bullets.numBroken();
-	}
+	// All is the same each time but what else the machine does: the least time of a frame has least of that.
+	for (int i = 0; i < REPEATS; ++i)
+		playBothWays(scene, run);
 	if (isAudited)
 	{
 		audit(scene, false, run.ours);

@@ -17,7 +17,8 @@ struct DestructionRun
 	/// Of one way.
 	struct Way
 	{
-		std::vector<double> times;  ///< of the steps, by frame: what the calling thread has computed [s]
+		std::vector<double>
+			times;  ///< of the steps, by frame: what the calling thread has computed, the least of two runs [s]
 		int broken = 0;
 		/// Largest and summed gain of energy, less what slow recovery may have given, over the energy at play
 		/// (EnergyAudit::gain). Not a number where it was not audited.

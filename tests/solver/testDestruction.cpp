@@ -88,10 +88,11 @@ TEST(Destruction, ContactsPushAndFrictionHasItsBounds)
 	{
 		SCOPED_TRACE(scene.name);
 		Stage stage(scene.settings());
-		double least = 0, beyond = 0, largest = 0;
+		double least = 0, beyond = 0, beyondLoose = 0, largest = 0;
 		play(scene, stage,
 			 [&]
 			 {
+				 double& most = stage.solver()->getStatistics().m_looseContacts > 0 ? beyondLoose : beyond;
 				 btDispatcher& dispatcher = *stage.world().bullet().getDispatcher();
 				 for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
 				 {
@@ -102,16 +103,18 @@ TEST(Destruction, ContactsPushAndFrictionHasItsBounds)
 						 const double normal = double(point.getAppliedImpulse());
 						 largest = std::max(largest, normal);
 						 least = std::min(least, normal);
-						 beyond = std::max(beyond, std::fabs(double(point.m_appliedImpulseLateral1)) -
+						 // Bullet's sweeps leave friction as it was when a contact's normal impulse has come to 0.
+						 if (normal > 0)
+							 most = std::max(most, std::fabs(double(point.m_appliedImpulseLateral1)) -
 													   double(point.m_combinedFriction) * normal);
 					 }
 				 }
 			 });
 		EXPECT_GE(least, 0.);
 		// Friction's bounds follow the normal impulses of contacts that are solved exactly to 1 % of the largest
-		// (btElasticPlasticSolverSettings::m_contactTolerance), less well where rounds end before (m_looseContacts). Bullet's sweeps
-		// leave friction as it was when a contact's normal impulse has come to 0.
-		EXPECT_LE(beyond, 0.05 * largest);
+		// (btElasticPlasticSolverSettings::m_contactTolerance), and less well where rounds end before that.
+		EXPECT_LE(beyond, 0.02 * largest);
+		EXPECT_LE(beyondLoose, 0.1 * largest);
 	}
 }
 
