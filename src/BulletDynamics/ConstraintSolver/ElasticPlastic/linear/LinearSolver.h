@@ -46,6 +46,9 @@ public:
 		m_plan->m_factor.getComplement(m_plan->m_numLast, complement);
 	}
 
+	/// Of a factorisation of the present problem: multiplications and additions.
+	int64_t getNumOperations() const { return m_plan->m_factor.getNumOperations(); }
+
 	BlockMatrix& getMatrix() { return m_plan->m_matrix; }
 
 	/// To be called after each assembly.

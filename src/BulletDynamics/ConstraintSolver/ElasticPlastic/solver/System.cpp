@@ -45,13 +45,16 @@ const int SHORT_STEPS = 2, PATIENCE = 5;
 
 // ---- when and where a search runs inside a place
 
-/// With fewer bodies a factor of the whole costs little.
-const int MANY_BODIES = 600;
+/// Where a factor of the whole takes less, multiplications and additions, it costs little: a wall of 800 bodies, a cube of 350.
+const int64_t MANY_OPERATIONS = 30000000;
 /// The most Newton steps with the whole before.
 const int LARGE_STEPS = 0;
 /// How far from contacts and flowing rows a place reaches, how far it grows from a row outside that has reached a bound, and how
 /// often it may.
 const int RINGS = 6, RINGS_MORE = 4, MOST_PLACES = 4;
+
+/// Where contacts' loops have taken so many Newton steps, in an island of more bodies than that, the interior point method takes over.
+const int MANY_STEPS = 15, FEW_BODIES = 100;
 
 /// Nominal work of an evaluation, see btElasticPlasticStatistics::m_work.
 const double NANOSECONDS_A_ROW = 8;
@@ -328,6 +331,7 @@ bool System::search(SystemInput& input, Effort effort)
 	}
 	m_contacts.begin(input, m_law);
 	m_interiorHasSolved = m_insideHasSolved = m_hasSearched = m_isCut = false;
+	const long long newtonSteps = m_statistics.m_newtonSteps;
 	bool solved = findMinimum(input, effort);
 	if (m_insideHasSolved)
 		return finish();
@@ -337,6 +341,8 @@ bool System::search(SystemInput& input, Effort effort)
 		 ++loop)
 	{
 		++m_statistics.m_contactLoops;
+		// The interior point method ends the loops, too.
+		m_isHard |= input.getNumBodies() > FEW_BODIES && m_statistics.m_newtonSteps - newtonSteps > MANY_STEPS;
 		// The contacts' targets have changed, so the solution changes even if no bound does.
 		solved = findMinimum(input, effort);
 		if (m_insideHasSolved)
@@ -376,7 +382,8 @@ void System::forgetPlace()
 
 bool System::isLarge(const SystemInput& input) const
 {
-	return m_settings.m_condenses && input.getNumBodies() >= MANY_BODIES && input.m_condensed.m_bodies.empty();
+	return m_settings.m_condenses && m_linearSolver.getNumOperations() > MANY_OPERATIONS &&
+		   input.m_condensed.m_bodies.empty();
 }
 
 /// The bodies of contacts, and of rows that are at their bounds.
