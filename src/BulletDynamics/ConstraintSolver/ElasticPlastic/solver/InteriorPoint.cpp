@@ -21,7 +21,7 @@ const double FIRST_BARRIER = 100;
 /// search from there in a step or two.
 const double BARRIER_END = 1e-8, MOMENTUM_END = 1e-7;
 /// Nominal work of an iteration beside the linear solver's, see btElasticPlasticStatistics::m_work.
-const double NANOSECONDS_A_ROW = 30;
+const double ITERATION_A_ROW = 30;
 /// The share of the way to the nearest bound that a step may go.
 const double MOST_OF_THE_WAY = 0.995;
 /// The first impulse of a contact, as a share of what would stop its bodies by themselves.
@@ -343,7 +343,7 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 		 ++i)
 	{
 		const long long workBefore = m_statistics.m_work;
-		m_statistics.m_work += (long long)(NANOSECONDS_A_ROW * double(input.getNumRows()));
+		m_statistics.m_work += (long long)(ITERATION_A_ROW * double(input.getNumRows()));
 		++m_statistics.m_interiorIterations;
 		{
 			const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);

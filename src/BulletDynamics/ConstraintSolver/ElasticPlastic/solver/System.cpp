@@ -42,6 +42,8 @@ const int MAX_LENGTH_STEPS = 60;
 const double SHORT_STEP = 0.1;
 /// After so many short ones, or so many steps of any length that did not end the search, there is no end in sight.
 const int SHORT_STEPS = 2, PATIENCE = 5;
+/// The same in an island of few bodies, where a step costs little and the exactness of contacts counts more.
+const int FEW_BODIES = 30, PATIENCE_WITH_FEW = 50;
 
 // ---- when and where a search runs inside a place
 
@@ -53,11 +55,11 @@ const int LARGE_STEPS = 0;
 /// often it may.
 const int RINGS = 6, RINGS_MORE = 4, MOST_PLACES = 4;
 
-/// Where contacts' loops have taken so many Newton steps, in an island of more bodies than that, the interior point method takes over.
-const int MANY_STEPS = 15, FEW_BODIES = 100;
+/// Where contacts' loops have taken so many Newton steps, in an island of more than few bodies, the interior point method takes over.
+const int MANY_STEPS = 15;
 
-/// Nominal work of an evaluation, see btElasticPlasticStatistics::m_work.
-const double NANOSECONDS_A_ROW = 8;
+/// Nominal work of an evaluation by row, see btElasticPlasticStatistics::m_work.
+const double EVALUATION_A_ROW = 8;
 
 /// A solution with a larger velocity [m/s], [rad/s] counts as no number.
 const double FASTEST = 1e30;
@@ -119,7 +121,7 @@ bool System::solveLinear(const SystemInput& input, std::vector<double>& x)
 void System::evaluate(const SystemInput& input)
 {
 	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
-	m_statistics.m_work += (long long)(NANOSECONDS_A_ROW * double(input.getNumRows()));
+	m_statistics.m_work += (long long)(EVALUATION_A_ROW * double(input.getNumRows()));
 	project(input, m_velocity, m_along);
 	m_boundsChanged = m_law.project(input, m_along);
 	if (m_boundsChanged)
@@ -204,13 +206,14 @@ bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
 			continue;
 		const double length = exactLength(input);
 		move(length);
-		m_statistics.m_work += (long long)(4 * NANOSECONDS_A_ROW * double(input.getNumRows()));
+		m_statistics.m_work += (long long)(4 * EVALUATION_A_ROW * double(input.getNumRows()));
 		evaluate(input);
 		phi = findResidual(input);
 		if (!btElasticPlasticIsNumber(phi))
 			return false;
 		shortSteps += length < SHORT_STEP;
-		if (!mayCrawl && (shortSteps >= SHORT_STEPS || step >= PATIENCE))
+		const int patience = input.getNumBodies() > FEW_BODIES ? PATIENCE : PATIENCE_WITH_FEW;
+		if (!mayCrawl && (shortSteps >= SHORT_STEPS * patience / PATIENCE || step >= patience))
 			return false;
 	}
 	return false;
