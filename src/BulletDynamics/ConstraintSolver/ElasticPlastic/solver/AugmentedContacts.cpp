@@ -30,7 +30,7 @@ double frictionBound(const SystemInput::SingleRow& friction, double normalImpuls
 }
 }  // namespace
 
-void AugmentedContacts::begin(SystemInput& input, const BoxLaw& law)
+void AugmentedContacts::begin(SystemInput& input, const AdmissibleBox& box)
 {
 	m_isAny = m_hasHardened = false;
 	m_states.assign(input.m_singleRows.size(), State());
@@ -45,10 +45,10 @@ void AugmentedContacts::begin(SystemInput& input, const BoxLaw& law)
 		m_states[i].m_leastSoftening = LEAST_SOFTENING * row.m_softening;
 	}
 	if (m_isAny)
-		tighten(input, law, 0, 0);
+		tighten(input, box, 0, 0);
 }
 
-AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const BoxLaw& law, int loop,
+AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const AdmissibleBox& box, int loop,
 													   double tolerance)
 {
 	Progress progress;
@@ -65,9 +65,9 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 		State& state = m_states[i];
 		const int r = input.m_singleRows[i].m_row;
 		SystemInput::Bounded& row = input.m_rows[r];
-		const double rest = state.m_softening * fabs(law.getImpulse(r) - state.m_multiplier);
+		const double rest = state.m_softening * fabs(box.getImpulse(r) - state.m_multiplier);
 		slip = std::max(slip, rest);
-		state.m_multiplier = law.getImpulse(r);
+		state.m_multiplier = box.getImpulse(r);
 		if (loop > PATIENT_LOOPS && rest > LITTLE_GAIN * state.m_slip && rest > tolerance * fastest &&
 			state.m_softening > state.m_leastSoftening)
 		{
@@ -83,7 +83,7 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 		if (friction.m_normal < 0)
 			continue;
 		SystemInput::Bounded& row = input.m_rows[friction.m_row];
-		const double bound = frictionBound(friction, law.getImpulse(input.m_singleRows[friction.m_normal].m_row));
+		const double bound = frictionBound(friction, box.getImpulse(input.m_singleRows[friction.m_normal].m_row));
 		frictionChange = std::max(frictionChange, fabs(bound - row.m_upper));
 		strongest = std::max(strongest, bound);
 		row.m_upper = bound;

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "BoxLaw.h"
+#include "AdmissibleBox.h"
 #include "SystemInput.h"
 
 namespace btElasticPlastic
@@ -20,7 +20,7 @@ class AugmentedContacts
 {
 public:
 	/// Begins a problem: rows get their guessed impulses as multipliers.
-	void begin(SystemInput& input, const BoxLaw& law);
+	void begin(SystemInput& input, const AdmissibleBox& box);
 
 	/// Whether the present problem has any contact.
 	bool isAny() const { return m_isAny; }
@@ -37,7 +37,7 @@ public:
 
 	/// Ends a loop: sets the rows' targets, compliances and bounds for the next one.
 	/// \param tolerance  of velocities, relative to the fastest approach
-	Progress tighten(SystemInput& input, const BoxLaw& law, int loop, double tolerance);
+	Progress tighten(SystemInput& input, const AdmissibleBox& box, int loop, double tolerance);
 
 	/// A contact's row without its softening and multiplier.
 	SystemInput::Bounded getHardRow(const SystemInput& input, int singleRow) const;

@@ -178,7 +178,7 @@ void Condensation::split(const SystemInput& input)
 }
 
 /// Takes the rows' terms, and the bounds at which those outside stay.
-void Condensation::fillRows(const SystemInput& input, const BoxLaw& law)
+void Condensation::fillRows(const SystemInput& input, const AdmissibleBox& box)
 {
 	const auto fill = [&](const std::vector<int>& rows, SystemInput& to)
 	{
@@ -190,21 +190,21 @@ void Condensation::fillRows(const SystemInput& input, const BoxLaw& law)
 			// A row's partner is of the same unit or of the same bodies, so it is on the same side.
 			if (to.m_rows[i].m_partner >= 0)
 				to.m_rows[i].m_partner = m_place[size_t(to.m_rows[i].m_partner)];
-			to.m_guess[i] = {law.getImpulse(rows[i]), *law.getBounds(rows[i])};
+			to.m_guess[i] = {box.getImpulse(rows[i]), *box.getBounds(rows[i])};
 		}
 	};
 	m_place.resize(input.m_rows.size());
 	fill(m_rows, m_input);
 	fill(m_outerRows, m_outer);
-	m_outerLaw.begin(m_outer);
-	m_outerLaw.holdBounds(m_outer);
+	m_outerBox.begin(m_outer);
+	m_outerBox.holdBounds(m_outer);
 }
 
 /// What the rows outside give to the border.
 bool Condensation::findMomentum()
 {
 	m_momentum.assign(6 * m_outer.m_bodies.size(), 0.);
-	addImpulses(m_outer, m_outerLaw.getImpulses(0), m_momentum);
+	addImpulses(m_outer, m_outerBox.getImpulses(0), m_momentum);
 	m_still = m_momentum;
 	if (!m_linearSolver.solve(m_still))
 		return false;
@@ -219,12 +219,12 @@ bool Condensation::findMomentum()
 	return true;
 }
 
-bool Condensation::condense(const SystemInput& input, const BoxLaw& law)
+bool Condensation::condense(const SystemInput& input, const AdmissibleBox& box)
 {
 	split(input);
-	fillRows(input, law);
+	fillRows(input, box);
 	m_matrix.begin(m_outer, 0, 1, int(m_input.m_condensed.m_bodies.size()));
-	m_matrix.assembleAnew(m_outer, m_outerLaw);
+	m_matrix.assembleAnew(m_outer, m_outerBox);
 	std::vector<double> nothing(6 * m_outer.m_bodies.size(), 0.);
 	if (!m_linearSolver.solve(nothing))
 		return false;
@@ -232,9 +232,9 @@ bool Condensation::condense(const SystemInput& input, const BoxLaw& law)
 	return findMomentum();
 }
 
-bool Condensation::condenseAgain(const SystemInput& input, const BoxLaw& law)
+bool Condensation::condenseAgain(const SystemInput& input, const AdmissibleBox& box)
 {
-	fillRows(input, law);
+	fillRows(input, box);
 	return findMomentum();
 }
 

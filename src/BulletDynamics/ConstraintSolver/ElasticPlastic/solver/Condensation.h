@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "BoxLaw.h"
+#include "AdmissibleBox.h"
 #include "SystemMatrix.h"
 
 namespace btElasticPlastic
@@ -40,12 +40,12 @@ public:
 	bool enlarge(const SystemInput& input, const std::vector<int>& bodies, int rings);
 
 	/// Eliminates the bodies outside.
-	/// \param law  its bounds are those at which rows outside stay
+	/// \param box  its bounds are those at which rows outside stay
 	/// \return false if that fails
-	bool condense(const SystemInput& input, const BoxLaw& law);
+	bool condense(const SystemInput& input, const AdmissibleBox& box);
 
 	/// The same after the rows' targets have changed; bodies, Jacobians and bounds have not.
-	bool condenseAgain(const SystemInput& input, const BoxLaw& law);
+	bool condenseAgain(const SystemInput& input, const AdmissibleBox& box);
 
 	/// The problem inside.
 	SystemInput& getInput() { return m_input; }
@@ -70,7 +70,7 @@ public:
 private:
 	bool isWorthIt(const SystemInput& input) const;
 	void split(const SystemInput& input);
-	void fillRows(const SystemInput& input, const BoxLaw& law);
+	void fillRows(const SystemInput& input, const AdmissibleBox& box);
 	bool findMomentum();
 	void addRings(std::vector<int> bodies, int rings);
 
@@ -85,7 +85,7 @@ private:
 	std::vector<char> m_isRowInside;
 	std::vector<int> m_innerIndex, m_outerIndex;  // by body of the whole problem, -1: none
 	std::vector<int> m_place;                     // by row of the whole problem: its row inside, or outside
-	BoxLaw m_outerLaw;                            // with the bounds at which rows outside stay
+	AdmissibleBox m_outerBox;                     // with the bounds at which rows outside stay
 	std::vector<double> m_still;                  // by body of m_outer: their motion if nothing inside did anything
 	std::vector<double> m_momentum, m_motion;
 	// Bodies' neighbours.

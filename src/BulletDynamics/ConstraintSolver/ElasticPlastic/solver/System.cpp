@@ -109,7 +109,7 @@ bool System::solveLinear(const SystemInput& input, std::vector<double>& x)
 	if (!m_matrixIsCurrent)
 	{
 		const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);
-		m_matrix.assemble(input, m_law);
+		m_matrix.assemble(input, m_admissible);
 		m_matrixIsCurrent = true;
 	}
 	return m_linearSolver.solve(x);
@@ -123,7 +123,7 @@ void System::evaluate(const SystemInput& input)
 	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
 	m_statistics.m_work += (long long)(EVALUATION_A_ROW * double(input.getNumRows()));
 	project(input, m_velocity, m_along);
-	m_boundsChanged = m_law.project(input, m_along);
+	m_boundsChanged = m_admissible.project(input, m_along);
 	if (m_boundsChanged)
 		m_matrixIsCurrent = false;
 }
@@ -134,7 +134,7 @@ double System::findResidual(const SystemInput& input)
 	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
 	double phi = 0;
 	m_phiTerms = 0;
-	m_law.addPotential(input, m_along, phi, m_phiTerms);
+	m_admissible.addPotential(input, m_along, phi, m_phiTerms);
 	multiplyMass(input, m_velocity, m_residual);
 	for (size_t i = 0; i < m_residual.size(); ++i)
 	{
@@ -143,7 +143,7 @@ double System::findResidual(const SystemInput& input)
 		m_phiTerms += fabs(term);
 		m_residual[i] = -m_residual[i];
 	}
-	addImpulses(input, m_law.getImpulses(0), m_residual);
+	addImpulses(input, m_admissible.getImpulses(0), m_residual);
 	const SystemInput::Condensed& condensed = input.m_condensed;
 	for (size_t i = 0; i < condensed.m_momentum.size(); ++i)
 	{
@@ -160,9 +160,9 @@ double System::findResidual(const SystemInput& input)
 /// dv for the rows' present bounds as if they were right.
 bool System::guess(const SystemInput& input)
 {
-	m_law.holdBounds(input);
+	m_admissible.holdBounds(input);
 	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
-	addImpulses(input, m_law.getImpulses(0), m_velocity);
+	addImpulses(input, m_admissible.getImpulses(0), m_velocity);
 	addCondensedMomentum(input, m_velocity);
 	return solveLinear(input, m_velocity);
 }
@@ -256,7 +256,7 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 	if (effort == ROUGH)
 	{
 		evaluate(input);
-		settle(input, m_law.getImpulses());
+		settle(input, m_admissible.getImpulses());
 		return true;
 	}
 	const bool isNear = m_interior.solve(input, m_contacts, m_matrix, m_linearSolver, m_velocity,
@@ -302,12 +302,12 @@ double System::exactLength(const SystemInput& input)
 		along0 -= condensed.m_momentum[i] * m_step[6 * size_t(condensed.m_bodies[i / 6]) + i % 6];
 	project(input, m_start, m_alongStart);
 	project(input, m_step, m_along);
-	m_law.beginLine(input, m_alongStart, m_along);
+	m_admissible.beginLine(input, m_alongStart, m_along);
 	double low = 0, high = 1, t = 1;
 	for (int i = 0; i < MAX_LENGTH_STEPS && high - low > LENGTH_TOLERANCE; ++i)
 	{
 		double derivative = along0 + t * along1, second = along1;
-		m_law.addDerivatives(input, m_along, t, derivative, second);
+		m_admissible.addDerivatives(input, m_along, t, derivative, second);
 		(derivative > 0 ? high : low) = t;
 		const double next = t - derivative / second;
 		if (fabs(next - t) <= LENGTH_STEP)
@@ -322,7 +322,7 @@ bool System::search(SystemInput& input, Effort effort)
 	const auto tighten = [&](int loop)
 	{
 		const AugmentedContacts::Progress progress =
-			m_contacts.tighten(input, m_law, loop, m_settings.m_contactTolerance);
+			m_contacts.tighten(input, m_admissible, loop, m_settings.m_contactTolerance);
 		if (progress.m_hasChangedMatrix)
 			forgetMatrix();
 		return progress.m_isOpen;
@@ -330,9 +330,9 @@ bool System::search(SystemInput& input, Effort effort)
 	if (isLarge(input))
 	{
 		m_rowsBefore = input.m_rows;
-		m_law.getResult(m_before.m_impulses, m_before.m_bounds);
+		m_admissible.getResult(m_before.m_impulses, m_before.m_bounds);
 	}
-	m_contacts.begin(input, m_law);
+	m_contacts.begin(input, m_admissible);
 	m_interiorHasSolved = m_insideHasSolved = m_hasSearched = m_isCut = false;
 	const long long newtonSteps = m_statistics.m_newtonSteps;
 	bool solved = findMinimum(input, effort);
@@ -359,7 +359,7 @@ bool System::search(SystemInput& input, Effort effort)
 	{
 		++m_statistics.m_cutSearches;
 		evaluate(input);
-		settle(input, m_law.getImpulses());
+		settle(input, m_admissible.getImpulses());
 	}
 	return finish();
 }
@@ -401,7 +401,7 @@ void System::findPlaces(const SystemInput& input, std::vector<int>& bodies) cons
 	};
 	for (const SystemInput::Unit& unit : input.m_units)
 		for (int r = 0; r < unit.m_numRows; ++r)
-			if (*m_law.getBounds(unit.m_firstRow + r) != 0)
+			if (*m_admissible.getBounds(unit.m_firstRow + r) != 0)
 			{
 				add(unit.m_body);
 				break;
@@ -421,24 +421,24 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 	std::vector<int> bodies;
 	// As before the search: the bounds at which rows outside stay, and contacts without multipliers.
 	SystemResult held = m_before;
-	m_law.setResult(held.m_impulses, held.m_bounds);
+	m_admissible.setResult(held.m_impulses, held.m_bounds);
 	input.m_rows = m_rowsBefore;
 	const bool isAgain = !condensation.isEmpty();
 	if (isAgain)
 	{
-		if (!condensation.condenseAgain(input, m_law))
+		if (!condensation.condenseAgain(input, m_admissible))
 		{
-			m_contacts.begin(input, m_law);
+			m_contacts.begin(input, m_admissible);
 			return ELSEWHERE;
 		}
 	}
 	else
 	{
 		findPlaces(input, bodies);
-		if (bodies.empty() || !condensation.choose(input, bodies, RINGS) || !condensation.condense(input, m_law))
+		if (bodies.empty() || !condensation.choose(input, bodies, RINGS) || !condensation.condense(input, m_admissible))
 		{
 			condensation.clear();
-			m_contacts.begin(input, m_law);
+			m_contacts.begin(input, m_admissible);
 			return ELSEWHERE;
 		}
 	}
@@ -458,13 +458,13 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 		}
 		SystemResult result = inside.getResult();
 		condensation.expand(result.m_velocity, m_velocity);
-		m_law.setResult(held.m_impulses, held.m_bounds);
+		m_admissible.setResult(held.m_impulses, held.m_bounds);
 		evaluate(input);
 		bodies.clear();
 		const auto check = [&](int firstRow, int numRows, const int body[2])
 		{
 			for (int r = firstRow; r < firstRow + numRows; ++r)
-				if (!condensation.isRowInside(r) && *m_law.getBounds(r) != held.m_bounds[size_t(r)])
+				if (!condensation.isRowInside(r) && *m_admissible.getBounds(r) != held.m_bounds[size_t(r)])
 				{
 					for (int side = 0; side < 2; ++side)
 						if (body[side] >= 0)
@@ -496,13 +496,13 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 				settle(input, whole.m_impulses);
 			return SOLVED;
 		}
-		m_law.setResult(held.m_impulses, held.m_bounds);
-		if (!condensation.enlarge(input, bodies, RINGS_MORE) || !condensation.condense(input, m_law))
+		m_admissible.setResult(held.m_impulses, held.m_bounds);
+		if (!condensation.enlarge(input, bodies, RINGS_MORE) || !condensation.condense(input, m_admissible))
 			break;
 	}
 	condensation.clear();
-	m_law.setResult(held.m_impulses, held.m_bounds);
-	m_contacts.begin(input, m_law);
+	m_admissible.setResult(held.m_impulses, held.m_bounds);
+	m_contacts.begin(input, m_admissible);
 	forgetMatrix();
 	return ELSEWHERE;
 }
@@ -552,14 +552,14 @@ SystemResult System::getResult() const
 {
 	SystemResult result;
 	result.m_velocity = m_velocity;
-	m_law.getResult(result.m_impulses, result.m_bounds);
+	m_admissible.getResult(result.m_impulses, result.m_bounds);
 	return result;
 }
 
 void System::setResult(const SystemResult& result)
 {
 	m_velocity = result.m_velocity;
-	m_law.setResult(result.m_impulses, result.m_bounds);
+	m_admissible.setResult(result.m_impulses, result.m_bounds);
 	m_matrixIsCurrent = false;
 }
 
@@ -570,7 +570,7 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 	m_matrix.begin(input, islandId, numSolutions);
 	islandId = m_linearSolver.getIslandId();
 	m_matrixIsCurrent = false;
-	m_law.begin(input);
+	m_admissible.begin(input);
 	m_isHard = false;
 	forgetPlace();
 	m_workEnd = m_statistics.m_work + m_settings.m_maxWork;

@@ -9,7 +9,7 @@
 
 #include "../../btElasticPlasticSolverSettings.h"
 #include "AugmentedContacts.h"
-#include "BoxLaw.h"
+#include "AdmissibleBox.h"
 #include "Condensation.h"
 #include "InteriorPoint.h"
 #include "SystemInput.h"
@@ -95,11 +95,11 @@ public:
 
 	/// dv of a body, 6 doubles
 	const double* getVelocityChange(int body) const { return &m_velocity[6 * size_t(body)]; }
-	double getImpulse(int row) const { return m_law.getImpulse(row); }
+	double getImpulse(int row) const { return m_admissible.getImpulse(row); }
 	/// From a row on.
-	const double* getImpulses(int row) const { return m_law.getImpulses(row); }
+	const double* getImpulses(int row) const { return m_admissible.getImpulses(row); }
 	/// -1 at the lower, 1 at the upper bound, 0 between; from a row on.
-	const signed char* getBounds(int row) const { return m_law.getBounds(row); }
+	const signed char* getBounds(int row) const { return m_admissible.getBounds(row); }
 
 private:
 	bool search(SystemInput& input, Effort effort);
@@ -132,7 +132,7 @@ private:
 	btElasticPlasticStatistics& m_statistics;
 	LinearSolver m_linearSolver;
 	SystemMatrix m_matrix;
-	BoxLaw m_law;
+	AdmissibleBox m_admissible;
 	AugmentedContacts m_contacts;
 	InteriorPoint m_interior;
 	double m_phiTerms = 0;    // sum of the absolute values of phi's terms

@@ -40,14 +40,14 @@ int SystemMatrix::addEdge(const int body[2])
 	return int(m_edges.size() / 2) - 1;
 }
 
-void SystemMatrix::assemble(const SystemInput& input, BoxLaw& law)
+void SystemMatrix::assemble(const SystemInput& input, AdmissibleBox& box)
 {
-	add(input, law);
+	add(input, box);
 	m_changedBodies.clear();
 	for (const SystemInput::Unit& unit : input.m_units)
-		noteChange(unit.m_body, law.noteTangent(unit.m_firstRow, unit.m_numRows));
+		noteChange(unit.m_body, box.noteTangent(unit.m_firstRow, unit.m_numRows));
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
-		noteChange(row.m_body, law.noteTangent(row.m_row, 1));
+		noteChange(row.m_body, box.noteTangent(row.m_row, 1));
 	m_solver.setAssembled(m_changedBodies);
 }
 

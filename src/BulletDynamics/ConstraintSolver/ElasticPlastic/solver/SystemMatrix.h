@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../linear/LinearSolver.h"
-#include "BoxLaw.h"
+#include "AdmissibleBox.h"
 #include "SystemInput.h"
 
 namespace btElasticPlastic
@@ -22,10 +22,10 @@ public:
 	void begin(const SystemInput& input, int islandId, int numSolutions, int numLast = 0);
 
 	/// Computes H for the rows' present tangents, and tells the linear solver what has changed since the last time.
-	void assemble(const SystemInput& input, BoxLaw& law);
+	void assemble(const SystemInput& input, AdmissibleBox& box);
 
 	/// Computes H for tangents that have nothing to do with the last ones.
-	/// \param tangents  with addTangent(), getTangent() and getTangentWithPartner() of BoxLaw
+	/// \param tangents  with addTangent(), getTangent() and getTangentWithPartner() of AdmissibleBox
 	template <class Tangents>
 	void assembleAnew(const SystemInput& input, const Tangents& tangents)
 	{

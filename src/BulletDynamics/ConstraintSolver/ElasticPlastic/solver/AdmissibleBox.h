@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#ifndef BT_ELASTIC_PLASTIC_BOX_LAW_H
-#define BT_ELASTIC_PLASTIC_BOX_LAW_H
+#ifndef BT_ELASTIC_PLASTIC_ADMISSIBLE_BOX_H
+#define BT_ELASTIC_PLASTIC_ADMISSIBLE_BOX_H
 
 #include <vector>
 
@@ -11,17 +11,17 @@
 
 namespace btElasticPlastic
 {
-/// The admissible impulses of rows, and the projection of a trial onto them: the interface between the search and the laws of
-/// units.
+/// The set of admissible impulses of rows, and the projection of a trial onto it: the interface between the search and what units
+/// can bear.
 ///
-/// A unit's rows are asked for u = b - J dv. Its law projects u onto an admissible impulse lambda(u), the gradient of a convex
+/// A unit's rows are asked for u = b - J dv. Its admissible set projects u onto an impulse lambda(u), the gradient of a convex
 /// potential psi(u), and gives the tangent d lambda / du, symmetric and positive semidefinite. The search (System) and the
-/// matrix (SystemMatrix) know no more of a law than the functions of this class. A law that couples the rows of a unit, such as
-/// a yield surface, stands beside this one with the same functions for its own units, and fills the unit's whole tangent.
+/// matrix (SystemMatrix) know no more of it than the functions of this class. A set that couples the rows of a unit, such as a
+/// yield surface, stands beside this one with the same functions for its own units, and fills the unit's whole tangent.
 ///
 /// Here the bounds of all rows are independent, a box: lambda = clamp(u / C, lower, upper), row by row, and for two rows with
 /// coupled compliance as CoupledPair says.
-class BoxLaw
+class AdmissibleBox
 {
 public:
 	/// Begins a search with the rows' guessed bounds.
@@ -289,4 +289,4 @@ private:
 };
 }  // namespace btElasticPlastic
 
-#endif  // BT_ELASTIC_PLASTIC_BOX_LAW_H
+#endif  // BT_ELASTIC_PLASTIC_ADMISSIBLE_BOX_H
