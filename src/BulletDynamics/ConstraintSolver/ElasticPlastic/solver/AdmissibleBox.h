@@ -8,6 +8,7 @@
 
 #include "../joint/CoupledPair.h"
 #include "SystemInput.h"
+#include "UnitTangent.h"
 
 namespace btElasticPlastic
 {
@@ -128,38 +129,11 @@ public:
 		}
 	}
 
-	/// Adds a unit's tangent in world coordinates: sum of a a^T / C over the rows between their bounds.
-	/// \param linear, angular  3x3 by columns, of the rows along and about the axes
-	/// \param mixed            of the rows along the axes, by what is about them
-	/// \return whether there is anything in mixed
+	/// Adds a unit's tangent in world coordinates, see addUnitTangent().
 	bool addTangent(const SystemInput& input, const SystemInput::Unit& unit, double linear[9], double angular[9],
 					double mixed[9]) const
 	{
-		bool isMixed = false;
-		for (int r = 0; r < unit.m_numRows; ++r)
-		{
-			const int i = unit.m_firstRow + r;
-			if (m_bound[i] != 0)
-				continue;
-			const double beside = unit.m_dof[r] < 3 ? getTangentWithPartner(input, i) : 0;
-			if (beside != 0)
-			{
-				const double *const along = unit.m_axis[unit.m_dof[r]],
-									*const about =
-										unit.m_axis[unit.m_dof[input.m_rows[i].m_partner - unit.m_firstRow] % 3];
-				for (int c = 0; c < 3; ++c)
-					for (int k = 0; k < 3; ++k)
-						mixed[3 * c + k] += beside * along[k] * about[c];
-				isMixed = true;
-			}
-			const double weight = getTangent(input, i);
-			const double* const a = unit.m_axis[unit.m_dof[r] % 3];
-			double* const to = unit.m_dof[r] < 3 ? linear : angular;
-			for (int c = 0; c < 3; ++c)
-				for (int k = 0; k < 3; ++k)
-					to[3 * c + k] += weight * a[c] * a[k];
-		}
-		return isMixed;
+		return addUnitTangent(*this, input, unit, linear, angular, mixed);
 	}
 
 	/// The tangent of a row, d lambda / du.

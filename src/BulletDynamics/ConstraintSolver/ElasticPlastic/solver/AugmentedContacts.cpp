@@ -22,12 +22,6 @@ const double LEAST_SOFTENING = 1e-6;  // the least softening, as a share of the 
 const double FRICTION_TOLERANCE = 0.01;
 /// The least compliance of a hard row, as a share of its softened one.
 const double HARDEST = 1e-10;
-
-double frictionBound(const SystemInput::SingleRow& friction, double normalImpulse)
-{
-	const double bound = friction.m_friction * std::max(0., normalImpulse);
-	return friction.m_frictionMax > 0 ? std::min(bound, friction.m_frictionMax) : bound;
-}
 }  // namespace
 
 void AugmentedContacts::begin(SystemInput& input, const AdmissibleBox& box)
@@ -83,7 +77,8 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 		if (friction.m_normal < 0)
 			continue;
 		SystemInput::Bounded& row = input.m_rows[friction.m_row];
-		const double bound = frictionBound(friction, box.getImpulse(input.m_singleRows[friction.m_normal].m_row));
+		const double bound =
+			friction.getFrictionBound(std::max(0., box.getImpulse(input.m_singleRows[friction.m_normal].m_row)));
 		frictionChange = std::max(frictionChange, fabs(bound - row.m_upper));
 		strongest = std::max(strongest, bound);
 		row.m_upper = bound;

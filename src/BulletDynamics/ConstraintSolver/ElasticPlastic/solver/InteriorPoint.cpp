@@ -9,6 +9,7 @@
 
 #include "../linear/ScopedTimer.h"
 #include "Jacobian.h"
+#include "UnitTangent.h"
 
 namespace btElasticPlastic
 {
@@ -52,27 +53,7 @@ struct InteriorPoint::Tangents
 	bool addTangent(const SystemInput& input, const SystemInput::Unit& unit, double linear[9], double angular[9],
 					double mixed[9]) const
 	{
-		bool isMixed = false;
-		for (int r = 0; r < unit.m_numRows; ++r)
-		{
-			const double* const a = unit.m_axis[unit.m_dof[r] % 3];
-			double* const to = unit.m_dof[r] < 3 ? linear : angular;
-			const double beside = unit.m_dof[r] < 3 ? m_beside[size_t(unit.m_firstRow + r)] : 0;
-			if (beside != 0)
-			{
-				const int partner = input.m_rows[size_t(unit.m_firstRow + r)].m_partner - unit.m_firstRow;
-				const double* const about = unit.m_axis[unit.m_dof[partner] % 3];
-				for (int c = 0; c < 3; ++c)
-					for (int k = 0; k < 3; ++k)
-						mixed[3 * c + k] += beside * a[k] * about[c];
-				isMixed = true;
-			}
-			const double weight = m_tangent[size_t(unit.m_firstRow + r)];
-			for (int c = 0; c < 3; ++c)
-				for (int k = 0; k < 3; ++k)
-					to[3 * c + k] += weight * a[c] * a[k];
-		}
-		return isMixed;
+		return addUnitTangent(*this, input, unit, linear, angular, mixed);
 	}
 	double getTangentWithPartner(const SystemInput&, int row) const { return m_beside[size_t(row)]; }
 	double getTangent(const SystemInput&, int row) const { return m_tangent[size_t(row)]; }
@@ -81,8 +62,7 @@ struct InteriorPoint::Tangents
 double InteriorPoint::frictionBound(const SystemInput::SingleRow& friction, const SystemInput& input) const
 {
 	const int normal = input.m_singleRows[size_t(friction.m_normal)].m_row;
-	const double bound = friction.m_friction * std::max(LEAST_NORMAL, m_impulse[size_t(normal)]);
-	return friction.m_frictionMax > 0 ? std::min(bound, friction.m_frictionMax) : bound;
+	return friction.getFrictionBound(std::max(LEAST_NORMAL, m_impulse[size_t(normal)]));
 }
 
 /// to += factor times what the partners' impulses add to C lambda.

@@ -35,7 +35,6 @@ public:
 
 	bool isEmpty() const { return m_constraints.size() + m_contacts.size() == 0; }
 	bool hasRecovery() const { return m_recovering.size() > 0; }
-	int getNumContacts() const { return m_contacts.size(); }
 
 	/// One sweep over all rows: bodies' changes of velocity and rows' impulses.
 	void sweep(const SolverPools& pools, const RowSolvers& solvers) const;

@@ -49,8 +49,6 @@ const int FEW_BODIES = 30, PATIENCE_WITH_FEW = 50;
 
 /// Where a factor of the whole takes less, multiplications and additions, it costs little: a wall of 800 bodies, a cube of 350.
 const int64_t MANY_OPERATIONS = 30000000;
-/// The most Newton steps with the whole before.
-const int LARGE_STEPS = 0;
 /// How far from contacts and flowing rows a place reaches, how far it grows from a row outside that has reached a bound, and how
 /// often it may.
 const int RINGS = 6, RINGS_MORE = 4, MOST_PLACES = 4;
@@ -167,14 +165,16 @@ bool System::guess(const SystemInput& input)
 	return solveLinear(input, m_velocity);
 }
 
-/// \param isGuess  whether dv solves the linear problem for the present bounds exactly; then the search ends where steps become short
-bool System::newton(const SystemInput& input, bool isGuess, int maxSteps)
+/// Whether a guess is right: no bound changes at the dv that solves the linear problem for the guessed ones exactly.
+bool System::isRight(const SystemInput& input)
 {
 	evaluate(input);
-	// If no bound changes, the guess was right.
-	if (isGuess && !m_boundsChanged)
-		return true;
-	const bool mayCrawl = !isGuess || m_settings.m_maxInteriorIterations == 0;
+	return !m_boundsChanged;
+}
+
+/// From the last evaluate() on. \param mayCrawl  whether to go on where steps become short
+bool System::newton(const SystemInput& input, bool mayCrawl, int maxSteps)
+{
 	double phi = findResidual(input);
 	int roundings = 0, turns = 0, shortSteps = 0;
 	long long stepWork = 1;
@@ -234,20 +234,20 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 	{
 		if (!guess(input))
 			return false;
-		if (newton(input, true,
-				   isLarge(input)    ? std::min(LARGE_STEPS, m_settings.m_maxNewtonSteps)
-				   : effort == ROUGH ? PATIENCE
-									 : m_settings.m_maxNewtonSteps))
+		if (isRight(input))
 			return true;
+		bool mayCrawl = m_settings.m_maxInteriorIterations == 0;
 		if (isLarge(input))
 		{
 			const Found found = searchInside(input, effort);
 			if (found != ELSEWHERE)
 				return found == SOLVED;
 			// It happens everywhere.
-			if (newton(input, false, effort == ROUGH ? PATIENCE : m_settings.m_maxNewtonSteps))
-				return true;
+			mayCrawl = true;
+			evaluate(input);
 		}
+		if (newton(input, mayCrawl, effort == ROUGH ? PATIENCE : m_settings.m_maxNewtonSteps))
+			return true;
 		if (!mayUseInterior)
 			return false;
 		m_isHard = true;
@@ -267,7 +267,8 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 		m_interiorHasSolved = true;
 		m_contacts.setMultipliers(input, m_interior.getImpulses(), m_interior.getUpperBounds());
 	}
-	if (newton(input, false, m_settings.m_maxNewtonSteps))
+	evaluate(input);
+	if (newton(input, true, m_settings.m_maxNewtonSteps))
 		return true;
 	if (!isNear)
 		return false;
@@ -375,12 +376,6 @@ bool System::finish()
 			return false;
 		}
 	return true;
-}
-
-void System::forgetPlace()
-{
-	if (m_place)
-		m_place->m_condensation.clear();
 }
 
 bool System::isLarge(const SystemInput& input) const
@@ -572,7 +567,8 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 	m_matrixIsCurrent = false;
 	m_admissible.begin(input);
 	m_isHard = false;
-	forgetPlace();
+	if (m_place)
+		m_place->m_condensation.clear();
 	m_workEnd = m_statistics.m_work + m_settings.m_maxWork;
 	m_velocity.assign(6 * size_t(input.getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());

@@ -53,7 +53,8 @@ public:
 	/// How exactly a problem is solved.
 	enum Effort
 	{
-		ROUGH,  ///< a few Newton steps, or two digits by the interior point method: between sweeps of contacts
+		/// By a few Newton steps; where they do not converge, impulses that obey the law and gain no energy. Between sweeps of contacts.
+		ROUGH,
 		PLAIN,  ///< by Newton's method alone; gives up where its steps become short
 		EXACT
 	};
@@ -73,16 +74,10 @@ public:
 	/// \return as solve(); false, too, if the effort was PLAIN and it was given up: then the result means nothing
 	bool solveAgain(SystemInput& input, Effort effort);
 
-	/// To be called where rows outside have other bounds than those of the last solution.
-	void forgetPlace();
-
 	/// Whether the last search was cut.
 	bool isCut() const { return m_isCut; }
 
-	/// Whether the problem's work is spent, so that what follows is cut.
-	bool hasWorkLeft() const { return !isSpent(); }
-
-	/// Whether the last problem's solution took the interior point method.
+	/// Whether Newton's method alone has not solved the last problem.
 	bool isHard() const { return m_isHard; }
 
 	/// Whether the last solution took any Newton step.
@@ -114,8 +109,9 @@ private:
 	void findPlaces(const SystemInput& input, std::vector<int>& bodies) const;
 	bool finish();
 	bool guess(const SystemInput& input);
+	bool isRight(const SystemInput& input);
 	bool findMinimum(SystemInput& input, Effort effort);
-	bool newton(const SystemInput& input, bool isGuess, int maxSteps);
+	bool newton(const SystemInput& input, bool mayCrawl, int maxSteps);
 	void settle(const SystemInput& input, std::vector<double> impulses);
 	void evaluate(const SystemInput& input);
 	void forgetMatrix();

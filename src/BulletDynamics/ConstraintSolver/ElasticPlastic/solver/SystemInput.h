@@ -65,6 +65,13 @@ struct SystemInput
 		double m_friction = 0;     ///< friction: coefficient
 		double m_frictionMax = 0;  ///< friction: greatest bound, 0: none
 		bool m_isContact = false;
+
+		/// Of friction: the greatest impulse that a normal impulse, >= 0, allows.
+		double getFrictionBound(double normalImpulse) const
+		{
+			const double bound = m_friction * normalImpulse;
+			return m_frictionMax > 0 && m_frictionMax < bound ? m_frictionMax : bound;
+		}
 	};
 
 	/// What bodies that have been eliminated leave to the others: a mass, and a momentum, see Condensation.
