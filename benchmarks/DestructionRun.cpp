@@ -76,7 +76,7 @@ void audit(const DestructionScene& scene, bool isBulletsWay, DestructionRun::Way
 		audit.begin();
 		stage.step();
 		audit.end(btScalar(Stage::FRAME));
-		const double gain = std::max(0., audit.gain() - audit.slowRecovery());
+		const double gain = std::max(0., audit.gain() - audit.bulletsRecovery());
 		largest = std::max(largest, gain);
 		sum += gain;
 	}

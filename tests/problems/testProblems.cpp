@@ -46,7 +46,7 @@ const Bound BOUNDS[] = {
 	{"hinge-stops-body", 0.015, 0.001},
 	{"parkes-heavy", 0.25, 0.1},
 	{"parkes-light", 0.6, 0.3},
-	{"dropped-mass", 0.1, 0.08},
+	{"dropped-mass", 0.12, 0.085},
 };
 
 class Problems : public testing::TestWithParam<Bound>

@@ -184,11 +184,11 @@ struct Recorded
 const Recorded RECORDS[] = {
 	{"chains", chains, Solver::Direct, 0x73b8f6de8b9a693f, 0x996d55eb723c384f},
 	{"chains", chains, Solver::Iterative, 0x828779abb105ccad, 0x48c55c3ceb2c7dde},
-	{"frame", frame, Solver::Direct, 0x762aead14a1ad0a2, 0x384d12820bdfa1b5},
+	{"frame", frame, Solver::Direct, 0x27ef733394fb3734, 0x71c0683a690a0fd4},
 	{"frame", frame, Solver::Iterative, 0xa7b1dcc9bf09ab34, 0x3fd727b9049887c9},
-	{"wall", wall, Solver::Direct, 0xb5b634b43355c03a, 0xe05771eeb9d53724},
+	{"wall", wall, Solver::Direct, 0xfce6e63aae92b672, 0x5837706505cda9e0},
 	{"wall", wall, Solver::Iterative, 0x36ba6fe1fe974bd9, 0x7612634db3fd0bf8},
-	{"beam", beam, Solver::Direct, 0x1c9884d43ceb96a5, 0x59faf131f7e48f03},
+	{"beam", beam, Solver::Direct, 0x8b1446ea4fd45da6, 0x1c9a30d18186458a},
 	{"beam", beam, Solver::Iterative, 0x3fa47cd7b6f7972a, 0xec9f65b08aa93dfd},
 };
 

@@ -54,13 +54,14 @@ struct Drop
 TEST(Contacts, BeamOnSupportsSinksUnderADroppedMass)
 {
 	// This solver with steps of 1 to 8 us: 0.3322 to 0.3330 m after a second, 0.3357 to 0.3365 m at most. Of what longer steps
-	// do not resolve, waves and hinges that move, some is damped in place of bending: it goes with the root of the step.
+	// do not resolve, waves and hinges that move, some is damped in place of bending: it goes with the root of the step. Penetration
+	// of the supports that is taken back bends nothing.
 	const Drop coarse(60), fine(240);
 	const double final = 0.3327, largest = 0.3361;
 	EXPECT_NEAR(1, coarse.m_final / final, 0.2);
 	EXPECT_NEAR(1, coarse.m_largest / largest, 0.2);
-	EXPECT_NEAR(1, fine.m_final / final, 0.1);
-	EXPECT_NEAR(1, fine.m_largest / largest, 0.1);
+	EXPECT_NEAR(1, fine.m_final / final, 0.12);
+	EXPECT_NEAR(1, fine.m_largest / largest, 0.12);
 	EXPECT_EQ(0, coarse.m_fallbacks + fine.m_fallbacks);
 }
 
@@ -539,6 +540,43 @@ TEST(Contacts, ABoxDroppedOnAFixedBeamMakesNoEnergy)
 		EXPECT_LE(largest, 0.01 * 250e6 * 1.0001) << height;
 		EXPECT_TRUE(isFinite(*box));
 		EXPECT_EQ(0, statisticsOf(world).m_fallbacks) << height;
+	}
+}
+
+TEST(Contacts, APebbleUnderABeamIsNoJack)
+{
+	// A box of 1 kg is built as deep into the ground as into a beam above it: recovery may not bend the beam. As a velocity it did, by
+	// 75 kJ from 8 mm, with an impulse without a bound.
+	for (const double overlap : {0.001, 0.008, 0.05})
+	{
+		World world(Solver::Direct);
+		world.body(0, world.box(btVector3(20, 1, 20)), at(0, -0.5));
+		Member::Settings settings;
+		settings.material = btElasticPlasticMaterial::steel(btScalar(355e6));
+		settings.width = settings.height = btScalar(0.2);
+		settings.parts = 8;
+		settings.collides = true;
+		const btScalar height = btScalar(0.5);
+		Member beam(world, settings, at(0, height), 4);
+		btCollisionShape* cube = world.box(btVector3(btScalar(0.1), btScalar(0.1), btScalar(0.1)));
+		beam.joinStart(world, *world.body(0, cube, at(-0.05, double(height)), false));
+		beam.joinEnd(world, *world.body(0, cube, at(4.05, double(height)), false));
+		const double gap = double(height) - 0.1, size = gap + 2 * overlap;
+		world.body(1, world.box(btVector3(btScalar(0.2), btScalar(size), btScalar(0.2))), at(2, gap / 2));
+		EnergyAudit audit(world);
+		double gain = 0, most = 0;
+		for (int i = 0; i < 60; ++i)
+		{
+			audit.begin();
+			world.step(FRAME);
+			audit.end(FRAME);
+			gain = btMax(gain, audit.gain());
+			for (const btElasticPlasticJoint* joint : world.joints())
+				most = btMax(most, joint->getElasticEnergy() + joint->getPlasticEnergy());
+		}
+		// The beam's own weight stores 0.05 J.
+		EXPECT_LE(most, 0.1) << overlap;
+		EXPECT_LE(gain, 0.05) << overlap;
 	}
 }
 }  // namespace

@@ -133,7 +133,7 @@ TEST(Destruction, EnergyIsNotGained)
 			audit.begin();
 			stage.step();
 			audit.end(btScalar(Stage::FRAME));
-			largest = std::max(largest, audit.gain() - audit.slowRecovery());
+			largest = std::max(largest, audit.gain() - audit.bulletsRecovery());
 		}
 		// In float a joint's force works against the rounding of its bodies' places: 1e5 N by 1e-6 m, at dozens of joints.
 		EXPECT_LE(largest, scene.gain * audit.turnover() + byPrecision(0, 1));

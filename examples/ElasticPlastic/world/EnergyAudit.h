@@ -54,10 +54,10 @@ public:
 	/// step before its places. balance() has both at one time, but for contacts it has no bound.)
 	double gain() const { return m_gain; }
 
-	/// The most of gain() that slow recovery of penetration may have given: Bullet's, by velocities [J].
-	double slowRecovery() const { return m_slowRecovery; }
+	/// The most of gain() that recovery of penetration may have given where no joints are: Bullet's, by velocities [J].
+	double bulletsRecovery() const { return m_bulletsRecovery; }
 
-	/// What fast recovery, which moves places only, has lifted [J]. No part of gain().
+	/// What recovery that moves places only has lifted [J]. No part of gain().
 	double lift() const { return m_lift; }
 
 	/// The most that kinetic energy + what the joints have stored and dissipated has been [J].
@@ -168,36 +168,58 @@ private:
 				m_lift -= double(m_loads[i].m_force.dot(lifted));
 		}
 		m_gain = kinetic - m_kinetic + held - m_held - work;
-		m_slowRecovery = slowRecoveryWork(dt);
+		m_bulletsRecovery = bulletsRecoveryWork(dt);
 		m_kinetic = kinetic;
 		m_held = held;
 		m_turnover = std::max(m_turnover, kinetic + held);
 	}
 
-	/// Contacts' impulses times the speeds at which recovery was to part their bodies. Recovery that is not slow moves places only, where
-	/// joints are in the island (theory.md); else it is Bullet's too.
-	double slowRecoveryWork(double dt) const
+	/// Contacts' impulses times the speeds at which recovery was to part their bodies, where neither contacts nor constraints lead to an
+	/// elastic-plastic joint: such bodies are solved Bullet's way. Elsewhere recovery moves places only, but for that of contacts between
+	/// loose bodies below 0.1 m/s (theory.md).
+	double bulletsRecoveryWork(double dt) const
 	{
-		const double slow = 0.1;   // [m/s]
-		std::set<int> withJoints;  // islands' tags
+		const btContactSolverInfo& info = m_world.bullet().getSolverInfo();
+		btDispatcher& dispatcher = *m_world.bullet().getDispatcher();
+		std::map<const btCollisionObject*, const btCollisionObject*> next;  // of the same island, up to its root
+		const auto rootOf = [&](const btCollisionObject* object)
+		{
+			while (next.count(object))
+				object = next[object];
+			return object;
+		};
+		const auto join = [&](const btCollisionObject& a, const btCollisionObject& b)
+		{
+			const btCollisionObject *const rootA = rootOf(&a), *const rootB = rootOf(&b);
+			if (!a.isStaticOrKinematicObject() && !b.isStaticOrKinematicObject() && rootA != rootB)
+				next[rootA] = rootB;
+		};
+		for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+		{
+			const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+			if (manifold.getNumContacts() > 0)
+				join(*manifold.getBody0(), *manifold.getBody1());
+		}
+		btDiscreteDynamicsWorld& world = m_world.bullet();
+		for (int i = 0; i < world.getNumConstraints(); ++i)
+			join(world.getConstraint(i)->getRigidBodyA(), world.getConstraint(i)->getRigidBodyB());
+		std::set<const btCollisionObject*> joined, withJoints;  // bodies; roots
 		for (const btElasticPlasticJoint* joint : m_world.joints())
 			for (const btRigidBody* body :
 				 {&joint->getConstraint().getRigidBodyA(), &joint->getConstraint().getRigidBodyB()})
-				if (!joint->isBroken())
-					withJoints.insert(body->getIslandTag());
-		withJoints.erase(-1);  // what does not move is in none
-		const btContactSolverInfo& info = m_world.bullet().getSolverInfo();
-		btDispatcher& dispatcher = *m_world.bullet().getDispatcher();
+				if (!joint->isBroken() && !body->isStaticOrKinematicObject())
+				{
+					joined.insert(body);
+					withJoints.insert(rootOf(body));
+				}
 		double work = 0;
 		for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
 		{
 			const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
 			const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-			if (!a.isActive() && !b.isActive())
-				continue;
-			const double most =
-				withJoints.count(a.getIslandTag()) + withJoints.count(b.getIslandTag()) > 0 ? slow : HUGE_VAL;
-			for (int k = 0; k < manifold.getNumContacts(); ++k)
+			const bool isBullets = withJoints.count(rootOf(&a)) + withJoints.count(rootOf(&b)) == 0;
+			const double most = isBullets ? HUGE_VAL : joined.count(&a) + joined.count(&b) == 0 ? 0.1 : 0;
+			for (int k = 0; (a.isActive() || b.isActive()) && k < manifold.getNumContacts(); ++k)
 			{
 				const btManifoldPoint& point = manifold.getContactPoint(k);
 				const double speed = -double(point.getDistance()) * double(info.m_erp2) / dt;
@@ -272,7 +294,7 @@ private:
 	double m_given = 0, m_rounding = 0;                         // of joints
 	std::map<const btElasticPlasticJoint*, Held> m_heldBefore;  // after the last step
 	double m_kinetic = 0, m_held = 0;                           // after the last step: of bodies, of joints
-	double m_gain = 0, m_slowRecovery = 0, m_lift = 0, m_turnover = 0;
+	double m_gain = 0, m_bulletsRecovery = 0, m_lift = 0, m_turnover = 0;
 };
 }  // namespace ep
 

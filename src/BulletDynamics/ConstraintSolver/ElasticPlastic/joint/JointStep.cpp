@@ -216,19 +216,11 @@ void JointStep::getLoad(btVector3& force, btVector3& torque) const
 	torque = sum[1] / m_dt;
 }
 
-void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2], const double* impulses,
-							const signed char* bounds)
+void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2])
 {
-	btScalar rate[BT_EP_DOF_COUNT];
-	project(linear[0] + angular[0].cross(m_kinematics.m_rA) - linear[1] - angular[1].cross(m_kinematics.m_rB),
-			angular[0] - angular[1], rate);
 	m_hasRecovery = true;
-	for (int r = 0; r < m_numRows; ++r)
-	{
-		m_recovery[r].m_rate = rate[m_row[r].m_dof];
-		m_recovery[r].m_impulse = btScalar(impulses[r]);
-		m_recovery[r].m_bound = bounds[r];
-	}
+	project(linear[0] + angular[0].cross(m_kinematics.m_rA) - linear[1] - angular[1].cross(m_kinematics.m_rB),
+			angular[0] - angular[1], m_recovery);
 }
 
 RowOutcome JointStep::outcomeOf(int r) const
@@ -244,12 +236,6 @@ RowOutcome JointStep::outcomeOf(int r) const
 	outcome.m_bound = m_lastBound[row.m_dof];
 	outcome.m_isBoundKnown = row.m_isBoundKnown;
 	outcome.m_isForStock = row.m_isForStock;
-	if (m_hasRecovery)
-	{
-		outcome.m_trial -= m_dt * m_recovery[r].m_rate;
-		outcome.m_impulse = m_recovery[r].m_impulse;
-		outcome.m_bound = m_recovery[r].m_bound;
-	}
 	return outcome;
 }
 
@@ -295,6 +281,33 @@ ReturnMapping JointStep::mapCut(int r) const
 	return mapped;
 }
 
+/// Flow that a search which has been cut leaves is plastic as far as the bodies have given for it, beyond what the springs have gained.
+/// The rest is given up.
+/// \param given  by the bodies in this step [J]
+void JointStep::limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const
+{
+	double flow = 0;
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		const int i = m_row[r].m_dof;
+		const ReturnMapping& m = mapped[r];
+		flow += btFabs(double(m.m_force) * double(m.m_increment));
+		if (m_model.m_capacity.isRigidPlastic(i))
+			continue;
+		const btScalar elastic = outcomeOf(r).m_trial - m.m_increment - m.m_unloaded;
+		given -= 0.5 * (double(m.m_force) * double(elastic) -
+						double(m_model.m_state.m_force[i]) * double(m_model.elasticDeformation(i)));
+	}
+	if (!(flow > given))
+		return;
+	const btScalar share = btScalar(btMax(given, 0.) / flow);
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		mapped[r].m_unloaded += (1 - share) * mapped[r].m_increment;
+		mapped[r].m_increment *= share;
+	}
+}
+
 /// Twice the work of the step's impulses on the bodies: that of each is exactly impulse times mean velocity. It is finite only if all
 /// of them are.
 /// \param velocity1  J v at the end of the step, of all degrees of freedom
@@ -332,11 +345,14 @@ int JointStep::commit()
 
 	const btScalar rate = 1 / m_dt;
 	bool flowed = false;
+	const bool isCut = m_isCut && !m_model.m_isPaper;
 	ReturnMapping mappedRows[BT_EP_DOF_COUNT];
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 		m_row[r].m_velocity1 = velocity1[m_row[r].m_dof];
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
-		mappedRows[r] = m_isCut && !m_model.m_isPaper ? mapCut(r) : returnMap(r);
+		mappedRows[r] = isCut ? mapCut(r) : returnMap(r);
+	if (isCut)
+		limitFlow(work - state.m_work, mappedRows);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		Row& row = m_row[r];
@@ -345,13 +361,13 @@ int JointStep::commit()
 		state.m_forceRate[i] = (mapped.m_force - state.m_force[i]) * rate;
 		state.m_force[i] = mapped.m_force;
 		state.m_applied[i] = row.m_impulse * rate;
-		unloaded[i] = mapped.m_unloaded;
+		unloaded[i] = mapped.m_unloaded - (m_hasRecovery ? m_dt * m_recovery[i] : btScalar(0));
 		if (mapped.m_increment == 0)
 			continue;
 		increment[i] = mapped.m_increment;
 		state.m_plastic[i] += mapped.m_increment;
 		state.m_plasticPath[i] += btFabs(mapped.m_increment);
-		const double force = m_isCut ? btFabs(double(mapped.m_force)) : double(m_model.m_capacity.m_yield[i]);
+		const double force = isCut ? btFabs(double(mapped.m_force)) : double(m_model.m_capacity.m_yield[i]);
 		state.m_plasticEnergy += force * btFabs(double(mapped.m_increment));
 		flowed = true;
 	}

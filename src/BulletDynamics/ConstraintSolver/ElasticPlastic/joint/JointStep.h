@@ -61,11 +61,10 @@ public:
 	/// Tells that the impulses are of a search that has been cut: they obey the law, and do not belong to the deformation.
 	void setCut() { m_isCut = true; }
 
-	/// That the bodies' places move in the step beside their velocities, to take penetration back.
-	/// \param linear, angular   velocities of that motion, of both bodies
-	/// \param impulses, bounds  of the rows against all of the motion, see setImpulse()
-	void setRecovery(const btVector3 linear[2], const btVector3 angular[2], const double* impulses,
-					 const signed char* bounds);
+	/// That the bodies' places move in the step beside their velocities, to take penetration back. The joint's reference moves along:
+	/// no body has given what a spring would store of it.
+	/// \param linear, angular  velocities of that motion, of both bodies
+	void setRecovery(const btVector3 linear[2], const btVector3 angular[2]);
 
 	/// What tension damping has applied about the common point [N m s], on body A.
 	void setDampingImpulse(const btVector3& impulse) { m_dampingImpulse = impulse; }
@@ -111,14 +110,6 @@ private:
 		signed char m_partner;  ///< the row with which it is coupled in this step, -1: none
 	};
 
-	/// Motion of places beside velocities, by row.
-	struct RecoveryRow
-	{
-		btScalar m_rate;     ///< J times it
-		btScalar m_impulse;  ///< against all of the motion
-		signed char m_bound;
-	};
-
 	void withholdDrift();
 	DofState dofState(int dof) const;
 	PaperLaw paperLaw(int dof) const;
@@ -126,6 +117,7 @@ private:
 	RowOutcome outcomeOf(int r) const;
 	ReturnMapping returnMap(int r) const;
 	ReturnMapping mapCut(int r) const;
+	void limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	void takeBackKinematicMotion();
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
@@ -136,7 +128,7 @@ private:
 	btScalar m_withheld[BT_EP_DOF_COUNT];  ///< strain that this step leaves to later ones, see withholdDrift()
 	btScalar m_withheldStep = 0;
 	bool m_hasRecovery = false, m_isCut = false;
-	RecoveryRow m_recovery[BT_EP_DOF_COUNT];
+	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step
 	Kinematics m_kinematics;

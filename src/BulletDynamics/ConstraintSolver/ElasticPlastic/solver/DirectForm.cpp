@@ -30,6 +30,8 @@ const int MOST_HEAVY = 64;
 /// Sweeps of contacts between two solutions of the system.
 const int SWEEPS_A_SOLUTION = 2;
 const int SWEEPS_WHERE_IT_FLOWS = 5;
+/// Recovery of swept contacts between loose bodies that is slower than this stays Bullet's [m/s].
+const double SLOW_OF_LOOSE = 0.1;
 /// Inertia over mass [m^2] of a body about an axis about which it has no inertia in Bullet: so much that nothing turns it.
 const double INERTIA_OF_NONE = 1e6;
 
@@ -318,9 +320,14 @@ void DirectForm::chooseExactContacts(const SolverPools& pools)
 	m_singleRowOf.resizeNoInitialize(n);
 	for (int i = 0; i < n; ++i)
 		m_singleRowOf[i] = m_sweepsContacts ? -1 : 0;
-	if (!m_sweepsContacts)
+	if (n == 0)
 		return;
 	m_structures.find(m_input);
+	m_isLoose.resizeNoInitialize(m_input.getNumBodies());
+	for (int b = 0; b < m_input.getNumBodies(); ++b)
+		m_isLoose[b] = m_structures.isLoose(b);
+	if (!m_sweepsContacts)
+		return;
 	const auto massOf = [&](int solverBody)
 	{ return 1 / double(pools.m_bodies[solverBody].m_originalBody->getInvMass()); };
 	// The body of a structure that the contact holds, -1 if it holds none: from below, or against something heavier.
@@ -335,30 +342,38 @@ void DirectForm::chooseExactContacts(const SolverPools& pools)
 		}
 		return -1;
 	};
-	m_numSupports.resizeNoInitialize(0);
-	m_numSupports.resize(m_input.getNumBodies(), 0);
-	for (int i = 0; i < n; ++i)
+	// The body of a structure on which something loose and heavy lies, -1 if there is none.
+	const auto loadedBy = [&](const btSolverConstraint& contact)
 	{
-		const int held = heldBy(pools.m_contacts[i]);
-		if (held >= 0)
-			++m_numSupports[m_structures.of(m_index[held])];
-	}
-	const auto isHeavy = [&](const btSolverConstraint& contact)
-	{
-		const int held = heldBy(contact);
-		if (held >= 0)
-		{
-			const int body = m_index[held];
-			return m_structures.getMass(body) > HEAVY * massOf(held) * m_numSupports[m_structures.of(body)];
-		}
 		const int bodies[2] = {contact.m_solverBodyIdA, contact.m_solverBodyIdB};
 		for (int side = 0; side < 2; ++side)
 		{
 			const int loose = bodies[side], joined = bodies[1 - side];
 			if (m_index[loose] == OUTSIDE && m_index[joined] >= 0 && massOf(loose) > HEAVY * massOf(joined))
-				return true;
+				return joined;
 		}
-		return false;
+		return -1;
+	};
+	m_numSupports.resizeNoInitialize(0);
+	m_numSupports.resize(m_input.getNumBodies(), 0);
+	m_isLoaded.resizeNoInitialize(0);
+	m_isLoaded.resize(m_input.getNumBodies(), false);
+	for (int i = 0; i < n; ++i)
+	{
+		const int held = heldBy(pools.m_contacts[i]), loaded = loadedBy(pools.m_contacts[i]);
+		if (held >= 0)
+			++m_numSupports[m_structures.of(m_index[held])];
+		if (loaded >= 0)
+			m_isLoaded[m_index[loaded]] = true;
+	}
+	const auto isHeavy = [&](const btSolverConstraint& contact)
+	{
+		const int held = heldBy(contact);
+		if (held < 0)
+			return loadedBy(contact) >= 0;
+		const int body = m_index[held];
+		return m_isLoaded[body] ||
+			   m_structures.getMass(body) > HEAVY * massOf(held) * m_numSupports[m_structures.of(body)];
 	};
 	for (int i = 0, numHeavy = 0; i < n && numHeavy < MOST_HEAVY; ++i)
 		if (isHeavy(pools.m_contacts[i]))
@@ -369,19 +384,14 @@ void DirectForm::chooseExactContacts(const SolverPools& pools)
 }
 
 /// \return the contact's single row
-int DirectForm::addContact(btSolverConstraint& contact, const SolverPools& pools, const btContactSolverInfo& info)
+int DirectForm::addContact(btSolverConstraint& contact, const SolverPools& pools)
 {
-	const Recovery::Demand demand = Recovery::take(contact, info);
 	const int r = addContactRow(contact, pools).m_row;
 	SystemInput::Bounded& row = m_input.m_rows[size_t(r)];
 	SystemInput::Guess& guess = m_input.m_guess[size_t(r)];
 	row.m_lower = 0;
 	row.m_upper = UNBOUNDED;
 	guess.m_bound = -1;
-	if (demand.m_isInRow)
-		row.m_target -= demand.m_speed;
-	if (demand.m_speed > 0)
-		m_recovery.addContact(r, demand.m_speed, double(contact.m_jacDiagABInv));
 	if (contact.m_originalContactPoint)
 	{
 		guess.m_impulse = contact.m_appliedImpulse;
@@ -398,19 +408,54 @@ void DirectForm::addContacts(const SolverPools& pools, const btContactSolverInfo
 	chooseExactContacts(pools);
 	for (int i = 0; i < pools.m_contacts.size(); ++i)
 	{
-		btSolverConstraint& contact = pools.m_contacts[i];
+		const double recovery = takeRecovery(i, pools, info);
 		if (m_singleRowOf[i] >= 0)
-		{
-			m_singleRowOf[i] = addContact(contact, pools, info);
-			continue;
-		}
-		const Recovery::Demand demand = Recovery::take(contact, info);
-		if (demand.m_isInRow)
-			contact.m_rhs -= btScalar(demand.m_speed) * contact.m_jacDiagABInv;
-		m_swept.addContact(i, btScalar(demand.m_speed));
+			m_singleRowOf[i] = addContact(pools.m_contacts[i], pools);
+		else
+			m_swept.addContact(i);
+		addRecovery(i, recovery, pools);
 	}
+	m_isLoose.resize(m_input.getNumBodies(), true);
 	addFriction(pools.m_friction, false, pools, info);
 	addFriction(pools.m_rollingFriction, true, pools, info);
+}
+
+bool DirectForm::isLoose(int solverBody) const
+{
+	const int body = m_index[solverBody];
+	// What contacts bring into the system was outside of it when structures were found.
+	return body == OUTSIDE || body >= m_isLoose.size() || (body >= 0 && m_isLoose[body]);
+}
+
+/// Slow recovery between loose bodies stays Bullet's where contacts are swept: with it a stack stands as with Bullet.
+double DirectForm::takeRecovery(int contact, const SolverPools& pools, const btContactSolverInfo& info) const
+{
+	btSolverConstraint& row = pools.m_contacts[contact];
+	const bool isOutside = m_index[row.m_solverBodyIdA] < 0 && m_index[row.m_solverBodyIdB] < 0;
+	return Recovery::take(row, info, isOutside ? SLOW_OF_LOOSE : 0);
+}
+
+void DirectForm::addRecovery(int contact, double speed, const SolverPools& pools)
+{
+	const btSolverConstraint& row = pools.m_contacts[contact];
+	const int bodies[2] = {row.m_solverBodyIdA, row.m_solverBodyIdB};
+	const bool loose[2] = {isLoose(bodies[0]), isLoose(bodies[1])};
+	if (loose[0] || loose[1])
+	{
+		// What lies on a loose body that is moved moves with it.
+		if (speed > 0 || pools.m_contacts[contact].m_appliedImpulse > 0)
+			m_recovery.addContact(contact, speed, loose);
+	}
+	else if (speed == 0)
+		return;
+	else if (m_singleRowOf[contact] >= 0)
+		m_recovery.addJoinedContact(m_input.m_singleRows[size_t(m_singleRowOf[contact])].m_row, speed,
+									double(row.m_jacDiagABInv));
+	else
+	{
+		const bool moves[2] = {m_index[bodies[0]] != STILL, m_index[bodies[1]] != STILL};
+		m_recovery.addContact(contact, speed, moves);
+	}
 }
 
 void DirectForm::addFriction(btConstraintArray& rows, bool isRolling, const SolverPools& pools,
@@ -461,13 +506,18 @@ void DirectForm::solve(const SolverPools& pools, const btContactSolverInfo& info
 		solveAround(pools, info, rowSolvers);
 		return;
 	}
-	if (m_recovery.hasContacts())
+	if (m_recovery.isAsked())
 		m_recovery.keep(m_input);
 	// The first joint of an island keeps the island's id.
 	const bool isSolved = m_system.solve(m_input, m_joints[0].m_works->m_islandId, System::EXACT);
 	writeVelocities(pools);
-	if (isSolved && m_recovery.hasContacts() && !m_system.isCut())
-		m_recovery.solve(m_system, m_input, {});
+	recover(isSolved, pools, info);
+}
+
+void DirectForm::recover(bool isSolved, const SolverPools& pools, const btContactSolverInfo& info)
+{
+	if (isSolved && !m_system.isCut() && m_recovery.isAsked())
+		m_recovery.solve(m_system, m_input, pools, info, m_solverBodies, m_isLoose);
 }
 
 /// Sweeps and solutions in turn; ends with a solution.
@@ -478,7 +528,7 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 	std::vector<double> along;
 	const int sweeps = btMax(info.m_numIterations, 1);
 	bool isSolved = true;
-	for (int done = 0;;)
+	const auto takeTargets = [&]
 	{
 		takeOthers(pools);
 		project(m_input, m_byOthers, along);
@@ -487,13 +537,26 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 			m_input.m_rows[i] = rows[i];
 			m_input.m_rows[i].m_target -= along[i];
 		}
+	};
+	for (int done = 0;;)
+	{
 		const bool isFirst = done == 0, isLast = done >= sweeps;
+		const double made = isFirst ? m_swept.findMade(pools) : 0;
+		takeTargets();
 		if (isLast)
 			m_recovery.keep(m_input);
 		const System::Effort effort = isLast ? System::EXACT : System::ROUGH;
 		isSolved =
 			isFirst ? m_system.solve(m_input, m_joints[0].m_works->m_islandId, effort, 2 + sweeps / SWEEPS_A_SOLUTION)
 					: m_system.solveAgain(m_input, effort);
+		// Neither sweeps nor solutions let the sum of both rise, so it has to begin below 0: else there would be energy from nowhere.
+		if (made > 0 && !(made + m_system.findMade(m_input) <= 0))
+		{
+			writeVelocities(pools);
+			m_swept.takeBack(pools);
+			takeTargets();
+			isSolved = m_system.solveAgain(m_input, effort);
+		}
 		writeVelocities(pools);
 		if (isLast)
 			break;
@@ -504,18 +567,7 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 		for (int i = 0; i < most && done < sweeps; ++i, ++done)
 			m_swept.sweep(pools, rowSolvers);
 	}
-	if (!isSolved || m_system.isCut() || !(m_swept.hasRecovery() || m_recovery.hasContacts()))
-		return;
-	std::vector<double> push;
-	if (m_swept.hasRecovery())
-	{
-		m_swept.recover(pools, sweeps);
-		push.resize(m_byOthers.size());
-		for (int b = 0; b < m_solverBodies.size(); ++b)
-			for (int i = 0; i < 6; ++i)
-				push[size_t(6 * b + i)] = m_swept.getPush(m_solverBodies[b])[i / 3][i % 3];
-	}
-	m_recovery.solve(m_system, m_input, push);
+	recover(isSolved, pools, info);
 }
 
 /// Reads what swept rows have given to the system's bodies since their velocities were written.
@@ -573,11 +625,9 @@ void DirectForm::writeResult(const SolverPools& pools, const btContactSolverInfo
 	for (int i = 0; i < pools.m_bodies.size(); ++i)
 	{
 		btSolverBody& body = pools.m_bodies[i];
-		if (m_index[i] == STILL || (m_index[i] == OUTSIDE && !m_swept.hasRecovery()))
+		if (m_index[i] == STILL)
 			continue;
-		double motion[6];
-		for (int k = 0; k < 6; ++k)
-			motion[k] = m_index[i] >= 0 ? m_recovery.getMotion(m_index[i])[k] : m_swept.getPush(i)[k / 3][k % 3];
+		const double* const motion = m_recovery.getMotion(i);
 		const btVector3 &linear = body.m_originalBody->getLinearFactor(),
 						&angular = body.m_originalBody->getAngularFactor();
 		for (int k = 0; k < 3; ++k)
@@ -600,7 +650,7 @@ btVector3 DirectForm::dampingImpulse(const Joint& joint) const
 	return sum;
 }
 
-/// Tells a joint's step how its bodies' places move apart beside their velocities, and what it does against it.
+/// Tells a joint's step how its bodies' places move apart beside their velocities.
 void DirectForm::giveRecovery(const Joint& joint) const
 {
 	btVector3 linear[2], angular[2];
@@ -608,15 +658,15 @@ void DirectForm::giveRecovery(const Joint& joint) const
 	{
 		linear[side].setZero();
 		angular[side].setZero();
-		const double* const motion = joint.m_bodies[side] >= 0 ? m_recovery.getMotion(joint.m_bodies[side]) : nullptr;
+		const int body = joint.m_bodies[side];
+		const double* const motion = body >= 0 ? m_recovery.getMotion(m_solverBodies[body]) : nullptr;
 		for (int i = 0; motion && i < 3; ++i)
 		{
 			linear[side][i] = btScalar(motion[i]);
 			angular[side][i] = btScalar(motion[3 + i]);
 		}
 	}
-	joint.m_works->m_step.setRecovery(linear, angular, m_recovery.getImpulses(joint.m_firstRow),
-									  joint.m_isCut ? BETWEEN : m_recovery.getBounds(joint.m_firstRow));
+	joint.m_works->m_step.setRecovery(linear, angular);
 }
 
 void DirectForm::finish()

@@ -80,9 +80,13 @@ private:
 	void addConstraints(const SolverPools& pools);
 	void chooseExactContacts(const SolverPools& pools);
 	void addContacts(const SolverPools& pools, const btContactSolverInfo& info);
-	int addContact(btSolverConstraint& contact, const SolverPools& pools, const btContactSolverInfo& info);
+	int addContact(btSolverConstraint& contact, const SolverPools& pools);
+	double takeRecovery(int contact, const SolverPools& pools, const btContactSolverInfo& info) const;
+	void addRecovery(int contact, double speed, const SolverPools& pools);
+	bool isLoose(int solverBody) const;
 	void addFriction(btConstraintArray& rows, bool isRolling, const SolverPools& pools,
 					 const btContactSolverInfo& info);
+	void recover(bool isSolved, const SolverPools& pools, const btContactSolverInfo& info);
 	void solveAround(const SolverPools& pools, const btContactSolverInfo& info,
 					 const SweptRows::RowSolvers& rowSolvers);
 	void takeOthers(const SolverPools& pools);
@@ -105,6 +109,8 @@ private:
 	SweptRows m_swept;
 	Structures m_structures;
 	btAlignedObjectArray<int> m_numSupports;   ///< contacts that hold a structure, by its body
+	btAlignedObjectArray<bool> m_isLoose;      ///< by body in the system: nothing holds it but contacts
+	btAlignedObjectArray<bool> m_isLoaded;     ///< by body in the system: something loose and heavy lies on it
 	btAlignedObjectArray<int> m_solverBodies;  ///< of each body in the system
 	std::vector<double> m_byOthers;            ///< by body, 6 doubles: change of velocity that swept rows have given
 	std::vector<double> m_written;             ///< the same, as the bodies had it after the last solution

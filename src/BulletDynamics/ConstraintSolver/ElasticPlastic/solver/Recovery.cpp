@@ -16,8 +16,8 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Recovery that is slower stays where Bullet has put it: its energy is next to nothing, and a second solution is not worth it [m/s].
-const double SLOW = 0.1;
+/// What would be recovered more slowly stays as it is, a tenth of a millimetre at 1/60 s [m/s].
+const double SLOW = 1e-3;
 /// Recovery that is faster waits where a joint would begin to yield by it: a contact that is found a hand deep would tear joints at
 /// rest [m/s].
 const double FAST = 0.5;
@@ -33,28 +33,88 @@ bool hasItsOwn(const btManifoldPoint& point)
 }
 }  // namespace
 
-Recovery::Demand Recovery::take(btSolverConstraint& contact, const btContactSolverInfo& info)
+double Recovery::take(btSolverConstraint& contact, const btContactSolverInfo& info, double slowest)
 {
-	Demand demand;
 	const btManifoldPoint* const point = static_cast<const btManifoldPoint*>(contact.m_originalContactPoint);
 	if (!point || hasItsOwn(*point) || !(contact.m_jacDiagABInv > 0))
-		return demand;
+		return 0;
 	const double gap = double(point->getDistance()) + double(info.m_linearSlop);
 	const double speed = -gap * double(info.m_erp2) / double(info.m_timeStep);
-	if (!(speed > SLOW))
-		return demand;
+	if (!(speed > slowest))
+		return 0;
 	const bool isSplit = info.m_splitImpulse && !(gap > double(info.m_splitImpulsePenetrationThreshold));
 	if (isSplit)
 		contact.m_rhsPenetration = 0;
-	demand.m_speed = speed;
-	demand.m_isInRow = !isSplit;
-	return demand;
+	else
+		contact.m_rhs -= btScalar(speed) * contact.m_jacDiagABInv;
+	return speed > SLOW ? speed : 0;
 }
 
 void Recovery::begin()
 {
-	m_contacts.clear();
+	m_isAsked = false;
+	m_pushed.clear();
+	m_joined.clear();
 	m_motion.clear();
+}
+
+void Recovery::addContact(int contact, double speed, const bool moves[2])
+{
+	m_isAsked |= speed > 0;
+	m_pushed.push_back({contact, speed, 0, {moves[0], moves[1]}});
+}
+
+void Recovery::addJoinedContact(int row, double speed, double alone)
+{
+	m_isAsked = true;
+	m_joined.push_back({row, speed, alone});
+}
+
+/// Moves places as if only contacts held the bodies.
+void Recovery::push(const SolverPools& pools, int sweeps)
+{
+	struct Side
+	{
+		const btVector3 &m_normal, &m_arm, &m_turn;
+		int m_solverBody;
+	};
+	for (int sweep = 0; sweep < sweeps; ++sweep)
+		for (PushedContact& contact : m_pushed)
+		{
+			const btSolverConstraint& row = pools.m_contacts[contact.m_contact];
+			const Side sides[2] = {
+				{row.m_contactNormal1, row.m_relpos1CrossNormal, row.m_angularComponentA, row.m_solverBodyIdA},
+				{row.m_contactNormal2, row.m_relpos2CrossNormal, row.m_angularComponentB, row.m_solverBodyIdB}};
+			double speed = 0, response = 0;
+			for (int k = 0; k < 2; ++k)
+			{
+				const Side& side = sides[k];
+				const btSolverBody& body = pools.m_bodies[side.m_solverBody];
+				const double* const motion = getMotion(side.m_solverBody);
+				for (int i = 0; i < 3; ++i)
+					speed += double(side.m_normal[i]) * motion[i] + double(side.m_arm[i]) * motion[3 + i];
+				if (contact.m_moves[k])
+					response += double(side.m_normal.dot(side.m_normal * body.internalGetInvMass())) +
+								double(side.m_arm.dot(side.m_turn));
+			}
+			if (!(response > 0))
+				continue;
+			const double before = contact.m_impulse;
+			contact.m_impulse = std::max(0., before + (contact.m_speed - speed) / response);
+			for (int k = 0; k < 2; ++k)
+			{
+				const Side& side = sides[k];
+				const btSolverBody& body = pools.m_bodies[side.m_solverBody];
+				const btVector3 linear = side.m_normal * body.internalGetInvMass() * body.m_linearFactor,
+								angular = side.m_turn * body.m_angularFactor;
+				double* const motion = &m_motion[6 * size_t(side.m_solverBody)];
+				for (int i = 0; contact.m_moves[k] && i < 3; ++i)
+				{
+					motion[i] += (contact.m_impulse - before) * double(linear[i]);
+					motion[3 + i] += (contact.m_impulse - before) * double(angular[i]);
+				}
+			}
+		}
 }
 
 /// Whether a joint flows in the second solution that does not in the first: recovery that would tear it waits.
@@ -67,41 +127,58 @@ bool Recovery::makesYield(const SystemInput& input) const
 	return false;
 }
 
-void Recovery::solve(System& system, SystemInput& input, const std::vector<double>& push)
+/// \param push  of joined bodies, by the system's bodies: motion of their places by contacts that are not in the system; empty: none
+/// \return false if joined bodies have to wait
+bool Recovery::solveJoined(System& system, SystemInput& input, const std::vector<double>& push)
 {
 	m_first = system.getResult();
 	input.m_rows = m_rows;
 	double fastest = 0;
 	for (const double speed : push)
 		fastest = std::max(fastest, fabs(speed));
-	for (const Contact& contact : m_contacts)
+	for (const JoinedContact& contact : m_joined)
 	{
 		fastest = std::max(fastest, contact.m_speed);
 		SystemInput::Bounded& row = input.m_rows[size_t(contact.m_row)];
 		row.m_target += contact.m_speed;
 		row.m_upper = m_first.m_impulses[size_t(contact.m_row)] + MOST_PUSH * contact.m_speed * contact.m_alone;
 	}
-	if (!push.empty())
-	{
-		std::vector<double> along;
-		project(input, push, along);
-		for (size_t i = 0; i < along.size(); ++i)
-			input.m_rows[i].m_target -= along[i];
-	}
+	std::vector<double> along;
+	project(input, push, along);
+	for (size_t i = 0; i < along.size(); ++i)
+		input.m_rows[i].m_target -= along[i];
 	// What does not converge stays deep for a step: places are not worth as much as velocities.
-	if (system.solveAgain(input, System::PLAIN))
-	{
-		m_second = system.getResult();
-		if (fastest > FAST && makesYield(input))
-		{
-			system.setResult(m_first);
-			return;
-		}
-		m_motion = push;
-		m_motion.resize(m_first.m_velocity.size());
-		for (size_t i = 0; i < m_motion.size(); ++i)
-			m_motion[i] += m_second.m_velocity[i] - m_first.m_velocity[i];
-	}
+	const bool isSolved = system.solveAgain(input, System::PLAIN);
+	m_second = system.getResult();
 	system.setResult(m_first);
+	return isSolved && !(fastest > FAST && makesYield(input));
+}
+
+void Recovery::solve(System& system, SystemInput& input, const SolverPools& pools, const btContactSolverInfo& info,
+					 const btAlignedObjectArray<int>& solverBodies, const btAlignedObjectArray<bool>& isLoose)
+{
+	m_motion.assign(6 * size_t(pools.m_bodies.size()), 0.);
+	push(pools, info.m_numIterations);
+	// What loose bodies do is no business of the joints.
+	std::vector<double> joined(6 * size_t(input.getNumBodies()), 0.);
+	bool isAnyPushed = false;
+	for (int b = 0; b < input.getNumBodies(); ++b)
+		for (int i = 0; i < 6 && !isLoose[b]; ++i)
+		{
+			joined[size_t(6 * b + i)] = getMotion(solverBodies[b])[i];
+			isAnyPushed |= joined[size_t(6 * b + i)] != 0;
+		}
+	if (m_joined.empty() && !isAnyPushed)
+		return;
+	const bool moves = solveJoined(system, input, joined);
+	for (int b = 0; b < input.getNumBodies(); ++b)
+		for (size_t i = 0; i < 6; ++i)
+		{
+			double& motion = m_motion[6 * size_t(solverBodies[b]) + i];
+			if (moves)
+				motion += m_second.m_velocity[6 * size_t(b) + i] - m_first.m_velocity[6 * size_t(b) + i];
+			else if (!isLoose[b])
+				motion = 0;
+		}
 }
 }  // namespace btElasticPlastic

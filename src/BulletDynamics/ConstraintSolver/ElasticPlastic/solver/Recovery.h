@@ -6,10 +6,10 @@
 
 #include <vector>
 
+#include "SolverPools.h"
 #include "System.h"
 
 struct btContactSolverInfo;
-struct btSolverConstraint;
 
 namespace btElasticPlastic
 {
@@ -17,61 +17,74 @@ namespace btElasticPlastic
 ///
 /// Bullet adds what penetration is to lose in a step to a contact's velocity, or pushes the bodies' places apart as if nothing held
 /// them. Joined bodies feel both: the first gives energy, the second strains joints, and a normal that points along a beam wedges its
-/// blocks apart with any force. Here velocities are found without recovery. Then the same system is solved again with it, and the
-/// difference of the two solutions moves places only; fast recovery waits where a joint would begin to yield by it. What recovery may push is bounded by some times the impulse that would part
-/// the two bodies by themselves. Joints take the second solution for their strain, the first for their work.
+/// blocks apart with any force. Here velocities are found without recovery, which then moves places only:
+///  - Of a loose body and a joined one only the loose one moves, contact after contact, as Bullet pushes them.
+///  - Where joined bodies have to move, the same system is solved again with recovery. The difference of the two solutions moves
+///    places. What recovery may push is bounded by some times the impulse that would part the two bodies by themselves, and fast
+///    recovery waits where a joint would begin to yield by it.
+/// The joints' references move along (JointStep::setRecovery): recovery loads no joint.
 class Recovery
 {
 public:
-	/// Of a contact in Bullet's pool.
-	struct Demand
-	{
-		double m_speed = 0;      ///< at which recovery is to part the bodies [m/s]; 0: what Bullet does about it stays
-		bool m_isInRow = false;  ///< whether Bullet's row asks for this speed, too
-	};
-
-	/// Reads what recovery asks for, and takes Bullet's own push back.
-	static Demand take(btSolverConstraint& contact, const btContactSolverInfo& info);
+	/// Takes Bullet's own push back from a contact in its pool, unless the user has given the contact a stiffness or an error reduction.
+	/// \param slowest  recovery below this speed stays Bullet's [m/s]
+	/// \return the speed at which recovery is to part the bodies [m/s]; 0: not at all
+	static double take(btSolverConstraint& contact, const btContactSolverInfo& info, double slowest);
 
 	/// Begins an island.
 	void begin();
 
-	/// \param row    of the system, without the demand's speed
-	/// \param alone  impulse per speed that would part the two bodies by themselves
-	void addContact(int row, double speed, double alone) { m_contacts.push_back({row, speed, alone}); }
+	/// \param contact  in Bullet's pool
+	/// \param speed    0: its bodies are kept from approaching by what other contacts push
+	/// \param moves    whether its bodies' places may be moved
+	void addContact(int contact, double speed, const bool moves[2]);
 
-	bool hasContacts() const { return !m_contacts.empty(); }
+	/// A contact between bodies that joints hold.
+	/// \param row    of the system
+	/// \param alone  impulse per speed that would part the two bodies by themselves
+	void addJoinedContact(int row, double speed, double alone);
+
+	/// Is there anything to recover?
+	bool isAsked() const { return m_isAsked; }
 
 	/// Keeps the rows as they are before the first solution.
 	void keep(const SystemInput& input) { m_rows = input.m_rows; }
 
-	/// After the first solution: solves with recovery.
-	/// \param push  by body, 6 doubles: velocity with which other contacts move places; empty: none
-	void solve(System& system, SystemInput& input, const std::vector<double>& push);
+	/// After the first solution: finds the motion of places.
+	/// \param solverBodies  of the system's bodies
+	/// \param isLoose       by the system's bodies: nothing holds it but contacts
+	void solve(System& system, SystemInput& input, const SolverPools& pools, const btContactSolverInfo& info,
+			   const btAlignedObjectArray<int>& solverBodies, const btAlignedObjectArray<bool>& isLoose);
 
 	/// Did the last solution move anything?
 	bool hasMotion() const { return !m_motion.empty(); }
 
-	/// Of a body, 6 doubles: velocity with which its place moves in this step, beside its own.
-	const double* getMotion(int body) const { return &m_motion[6 * size_t(body)]; }
-
-	/// Of the solution that places go with; from a row on.
-	const double* getImpulses(int row) const { return &m_second.m_impulses[size_t(row)]; }
-	const signed char* getBounds(int row) const { return &m_second.m_bounds[size_t(row)]; }
+	/// Of a solver body, 6 doubles: velocity with which its place moves in this step, beside its own.
+	const double* getMotion(int solverBody) const { return &m_motion[6 * size_t(solverBody)]; }
 
 private:
-	struct Contact
+	struct PushedContact
+	{
+		int m_contact;
+		double m_speed, m_impulse;
+		bool m_moves[2];
+	};
+	struct JoinedContact
 	{
 		int m_row;
 		double m_speed, m_alone;
 	};
 
+	void push(const SolverPools& pools, int sweeps);
+	bool solveJoined(System& system, SystemInput& input, const std::vector<double>& push);
 	bool makesYield(const SystemInput& input) const;
 
-	std::vector<Contact> m_contacts;
+	bool m_isAsked = false;
+	std::vector<PushedContact> m_pushed;
+	std::vector<JoinedContact> m_joined;
 	std::vector<SystemInput::Bounded> m_rows;  // before the first solution
 	SystemResult m_first, m_second;
-	std::vector<double> m_motion;  // empty: none
+	std::vector<double> m_motion;  // by solver body, 6 doubles; empty: none
 };
 }  // namespace btElasticPlastic
 

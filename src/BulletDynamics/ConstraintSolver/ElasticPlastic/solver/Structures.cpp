@@ -10,6 +10,7 @@ void Structures::find(const SystemInput& input)
 	const size_t n = input.m_bodies.size();
 	m_parent.resize(n);
 	m_mass.resize(n);
+	m_size.assign(n, 1);
 	m_isHeld.assign(n, 0);
 	for (size_t b = 0; b < n; ++b)
 	{
@@ -45,6 +46,7 @@ void Structures::join(const int bodies[2])
 	const int root = a < b ? a : b, other = a < b ? b : a;
 	m_parent[size_t(other)] = root;
 	m_mass[size_t(root)] += m_mass[size_t(other)];
+	m_size[size_t(root)] += m_size[size_t(other)];
 	m_isHeld[size_t(root)] |= m_isHeld[size_t(other)];
 }
 }  // namespace btElasticPlastic

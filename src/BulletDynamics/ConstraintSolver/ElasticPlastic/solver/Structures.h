@@ -22,6 +22,9 @@ public:
 	/// Of the structure of a body: kg.
 	double getMass(int body) { return m_mass[size_t(rootOf(body))]; }
 
+	/// Whether nothing holds a body but contacts.
+	bool isLoose(int body) { return m_size[size_t(rootOf(body))] == 1 && !isHeld(body); }
+
 	/// Whether a row joins the structure of a body to something that does not move.
 	bool isHeld(int body) { return m_isHeld[size_t(rootOf(body))] != 0; }
 
@@ -31,6 +34,7 @@ private:
 
 	std::vector<int> m_parent;   // of a forest
 	std::vector<double> m_mass;  // by root
+	std::vector<int> m_size;     // bodies, by root
 	std::vector<char> m_isHeld;
 };
 }  // namespace btElasticPlastic

@@ -13,15 +13,57 @@ void SweptRows::clear()
 	m_contacts.resize(0);
 	m_friction.resize(0);
 	m_rollingFriction.resize(0);
-	m_recovering.resize(0);
-	m_push.resize(0);
 }
 
-void SweptRows::addContact(int row, btScalar speed)
+template <class Visit>
+void SweptRows::forAll(const SolverPools& pools, Visit visit) const
 {
-	m_contacts.push_back(row);
-	if (speed > 0)
-		m_recovering.push_back({row, speed, btScalar(0)});
+	const struct
+	{
+		btConstraintArray& m_pool;
+		const btAlignedObjectArray<int>& m_rows;
+	} kinds[] = {{pools.m_constraints, m_constraints},
+				 {pools.m_contacts, m_contacts},
+				 {pools.m_friction, m_friction},
+				 {pools.m_rollingFriction, m_rollingFriction}};
+	for (const auto& kind : kinds)
+		for (int i = 0; i < kind.m_rows.size(); ++i)
+		{
+			btSolverConstraint& row = kind.m_pool[kind.m_rows[i]];
+			if (row.m_appliedImpulse != 0)
+				visit(row, pools.m_bodies[row.m_solverBodyIdA], pools.m_bodies[row.m_solverBodyIdB]);
+		}
+}
+
+double SweptRows::findMade(const SolverPools& pools) const
+{
+	double made = 0;
+	forAll(pools,
+		   [&](const btSolverConstraint& row, const btSolverBody& A, const btSolverBody& B)
+		   {
+			   const btScalar along = row.m_contactNormal1.dot(A.m_deltaLinearVelocity) +
+									  row.m_relpos1CrossNormal.dot(A.m_deltaAngularVelocity) +
+									  row.m_contactNormal2.dot(B.m_deltaLinearVelocity) +
+									  row.m_relpos2CrossNormal.dot(B.m_deltaAngularVelocity);
+			   // The row in Bullet's terms, see DirectForm::addRow().
+			   const double impulse = row.m_appliedImpulse,
+							asked = double(row.m_rhs) - 0.5 * double(row.m_cfm) * impulse;
+			   made += impulse * (0.5 * double(along) - asked / double(row.m_jacDiagABInv));
+		   });
+	return made;
+}
+
+void SweptRows::takeBack(const SolverPools& pools) const
+{
+	forAll(pools,
+		   [](btSolverConstraint& row, btSolverBody& A, btSolverBody& B)
+		   {
+			   A.internalApplyImpulse(row.m_contactNormal1 * A.internalGetInvMass(), row.m_angularComponentA,
+									  -row.m_appliedImpulse);
+			   B.internalApplyImpulse(row.m_contactNormal2 * B.internalGetInvMass(), row.m_angularComponentB,
+									  -row.m_appliedImpulse);
+			   row.m_appliedImpulse = 0;
+		   });
 }
 
 void SweptRows::sweep(const SolverPools& pools, const RowSolvers& solvers) const
@@ -57,28 +99,5 @@ void SweptRows::sweep(const SolverPools& pools, const RowSolvers& solvers) const
 	};
 	sweepFriction(pools.m_friction, m_friction, false);
 	sweepFriction(pools.m_rollingFriction, m_rollingFriction, true);
-}
-
-void SweptRows::recover(const SolverPools& pools, int numIterations)
-{
-	m_push.resize(0);
-	m_push.resize(2 * pools.m_bodies.size(), btVector3(0, 0, 0));
-	for (int sweep = 0; sweep < numIterations; ++sweep)
-		for (int i = 0; i < m_recovering.size(); ++i)
-		{
-			Recovering& recovering = m_recovering[i];
-			const btSolverConstraint& row = pools.m_contacts[recovering.m_contact];
-			btSolverBody &A = pools.m_bodies[row.m_solverBodyIdA], &B = pools.m_bodies[row.m_solverBodyIdB];
-			btVector3 *const pushA = &m_push[2 * row.m_solverBodyIdA], *const pushB = &m_push[2 * row.m_solverBodyIdB];
-			const btScalar speed = row.m_contactNormal1.dot(pushA[0]) + row.m_relpos1CrossNormal.dot(pushA[1]) +
-								   row.m_contactNormal2.dot(pushB[0]) + row.m_relpos2CrossNormal.dot(pushB[1]);
-			const btScalar before = recovering.m_impulse;
-			recovering.m_impulse = btMax(btScalar(0), before + (recovering.m_speed - speed) * row.m_jacDiagABInv);
-			const btScalar change = recovering.m_impulse - before;
-			pushA[0] += row.m_contactNormal1 * A.internalGetInvMass() * A.m_linearFactor * change;
-			pushA[1] += row.m_angularComponentA * A.m_angularFactor * change;
-			pushB[0] += row.m_contactNormal2 * B.internalGetInvMass() * B.m_linearFactor * change;
-			pushB[1] += row.m_angularComponentB * B.m_angularFactor * change;
-		}
 }
 }  // namespace btElasticPlastic

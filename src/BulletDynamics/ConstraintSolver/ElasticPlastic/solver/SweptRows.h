@@ -27,34 +27,29 @@ public:
 	// Rows of the pools, by index.
 
 	void addConstraint(int row) { m_constraints.push_back(row); }
-	/// \param speed  at which recovery is to part the bodies' places without giving them a velocity [m/s]; 0: not at all
-	void addContact(int row, btScalar speed);
+	void addContact(int row) { m_contacts.push_back(row); }
 	/// Of a contact that has been added.
 	void addFriction(int row) { m_friction.push_back(row); }
 	void addRollingFriction(int row) { m_rollingFriction.push_back(row); }
 
 	bool isEmpty() const { return m_constraints.size() + m_contacts.size() == 0; }
-	bool hasRecovery() const { return m_recovering.size() > 0; }
+
+	/// What the rows' impulses make of energy, by a sum that no sweep lets rise: 1/2 lambda^T (A + C) lambda - b^T lambda. Only these
+	/// rows may have given anything to the bodies yet. Above 0 an impulse, such as Bullet's warm start from the step of a blow, is more
+	/// than the contacts ask for by now.
+	double findMade(const SolverPools& pools) const;
+
+	/// Takes Bullet's warm start back, from rows and from bodies.
+	void takeBack(const SolverPools& pools) const;
 
 	/// One sweep over all rows: bodies' changes of velocity and rows' impulses.
 	void sweep(const SolverPools& pools, const RowSolvers& solvers) const;
 
-	/// Finds the velocities with which recovery moves places, as if only contacts held the bodies.
-	void recover(const SolverPools& pools, int numIterations);
-
-	/// Of a solver body after recover(), linear and angular.
-	const btVector3* getPush(int solverBody) const { return &m_push[2 * solverBody]; }
-
 private:
-	struct Recovering
-	{
-		int m_contact;
-		btScalar m_speed, m_impulse;
-	};
+	template <class Visit>
+	void forAll(const SolverPools& pools, Visit visit) const;
 
 	btAlignedObjectArray<int> m_constraints, m_contacts, m_friction, m_rollingFriction;
-	btAlignedObjectArray<Recovering> m_recovering;
-	btAlignedObjectArray<btVector3> m_push;  ///< two per solver body
 };
 }  // namespace btElasticPlastic
 

@@ -339,7 +339,7 @@ bool System::search(SystemInput& input, Effort effort)
 	bool solved = findMinimum(input, effort);
 	if (m_insideHasSolved)
 		return finish();
-	bool open = effort != ROUGH && m_contacts.isAny() && tighten(1);
+	bool open = effort == EXACT && m_contacts.isAny() && tighten(1);
 	// The interior point method has no need of them: its contacts are hard.
 	for (int loop = 0; solved && open && !m_interiorHasSolved && !isSpent() && loop < m_settings.m_maxContactLoops;
 		 ++loop)
@@ -356,7 +356,7 @@ bool System::search(SystemInput& input, Effort effort)
 	m_statistics.m_looseContacts += open;
 	if (!solved && effort == PLAIN)
 		return false;
-	if (!solved && effort == EXACT)
+	if (effort == EXACT && (!solved || (open && isSpent())))
 	{
 		++m_statistics.m_cutSearches;
 		evaluate(input);
@@ -502,6 +502,28 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 	return ELSEWHERE;
 }
 
+/// Sets dv to what impulses make of it.
+System::Work System::findWork(const SystemInput& input, const std::vector<double>& impulses)
+{
+	Work work;
+	m_contacts.addWork(input, impulses, work.m_gain, work.m_cost);
+	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
+	addImpulses(input, impulses.data(), m_velocity);
+	m_work = m_velocity;
+	divideByMass(input, m_velocity);
+	for (size_t i = 0; i < m_work.size(); ++i)
+		work.m_cost += m_work[i] * m_velocity[i];
+	return work;
+}
+
+double System::findMade(const SystemInput& input)
+{
+	m_start = m_velocity;
+	const double made = findWork(input, m_admissible.getImpulses()).made();
+	m_velocity = m_start;
+	return made;
+}
+
 /// Gives impulses that are no solution what they lack. Within their bounds they gain no energy as long as
 ///     1/2 lambda^T (A + C) lambda <= b^T lambda,
 /// since this is what the bodies and springs have less after the step. Scaled by a factor below 1 impulses stay within bounds that
@@ -517,19 +539,20 @@ void System::settle(const SystemInput& input, std::vector<double> impulses)
 		setResult(result);
 		return;
 	}
-	double gain = 0, cost = 0;
-	m_contacts.addWork(input, impulses, gain, cost);
-	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
-	addImpulses(input, impulses.data(), m_velocity);
-	m_work = m_velocity;
-	divideByMass(input, m_velocity);
-	for (size_t i = 0; i < m_work.size(); ++i)
-		cost += m_work[i] * m_velocity[i];
-	const double share = cost > gain ? std::max(gain, 0.) / cost : 1;
-	for (double& v : m_velocity)
-		v *= share;
+	const Work work = findWork(input, impulses);
+	const double share = work.m_cost > work.m_gain ? std::max(work.m_gain, 0.) / work.m_cost : 1;
 	for (double& impulse : impulses)
 		impulse *= share;
+	// What has been swept since the last solution relies on its impulses: less than they have made is not to be had by other ones.
+	if (!m_impulsesBefore.empty())
+	{
+		for (size_t i = 0; i < m_impulsesBefore.size(); ++i)
+			m_impulsesBefore[i] =
+				std::max(input.m_rows[i].m_lower, std::min(m_impulsesBefore[i], input.m_rows[i].m_upper));
+		if (findWork(input, m_impulsesBefore).made() < Work{share * work.m_gain, share * share * work.m_cost}.made())
+			impulses = m_impulsesBefore;
+	}
+	findWork(input, impulses);
 	evaluate(input);
 	SystemResult result = getResult();
 	result.m_impulses = impulses;
@@ -540,6 +563,7 @@ bool System::solveAgain(SystemInput& input, Effort effort)
 {
 	if (m_contacts.hasHardened())
 		forgetMatrix();
+	m_impulsesBefore = m_admissible.getImpulses();
 	return search(input, effort);
 }
 
@@ -567,6 +591,7 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 	m_matrixIsCurrent = false;
 	m_admissible.begin(input);
 	m_isHard = false;
+	m_impulsesBefore.clear();
 	if (m_place)
 		m_place->m_condensation.clear();
 	m_workEnd = m_statistics.m_work + m_settings.m_maxWork;

@@ -55,7 +55,7 @@ public:
 	{
 		/// By a few Newton steps; where they do not converge, impulses that obey the law and gain no energy. Between sweeps of contacts.
 		ROUGH,
-		PLAIN,  ///< by Newton's method alone; gives up where its steps become short
+		PLAIN,  ///< by Newton's method alone, contacts as soft as they begin; gives up where its steps become short
 		EXACT
 	};
 
@@ -82,6 +82,9 @@ public:
 
 	/// Whether the last solution took any Newton step.
 	bool hasSearched() const { return m_hasSearched; }
+
+	/// What the last solution makes of energy, by the sum that it minimises: 1/2 lambda^T (A + C) lambda - b^T lambda.
+	double findMade(const SystemInput& input);
 
 	SystemResult getResult() const;
 	void setResult(const SystemResult& result);
@@ -112,6 +115,14 @@ private:
 	bool isRight(const SystemInput& input);
 	bool findMinimum(SystemInput& input, Effort effort);
 	bool newton(const SystemInput& input, bool mayCrawl, int maxSteps);
+	/// Of impulses: b^T lambda, and lambda^T (A + C) lambda.
+	struct Work
+	{
+		double m_gain = 0, m_cost = 0;
+		double made() const { return m_cost / 2 - m_gain; }
+	};
+
+	Work findWork(const SystemInput& input, const std::vector<double>& impulses);
 	void settle(const SystemInput& input, std::vector<double> impulses);
 	void evaluate(const SystemInput& input);
 	void forgetMatrix();
@@ -136,7 +147,8 @@ private:
 	/// Where something happens in a large problem; null in the problem inside.
 	struct Place;
 	std::unique_ptr<Place> m_place;
-	SystemResult m_before;  // a large problem's rows' impulses and bounds before the search
+	std::vector<double> m_impulsesBefore;  // of the last solution of the same problem, empty: there is none
+	SystemResult m_before;                 // a large problem's rows' impulses and bounds before the search
 	std::vector<SystemInput::Bounded> m_rowsBefore;
 	bool m_insideHasSolved = false, m_isCut = false;
 	bool m_interiorHasSolved = false, m_isHard = false, m_hasSearched = false;
