@@ -190,6 +190,30 @@ TEST(HardBodies, KinematicPartnerCarriesTheStructure)
 	EXPECT_EQ(0, statisticsOf(world).m_fallbacks);
 }
 
+TEST(HardBodies, AKinematicBodyWithAMassKeepsItsVelocityUnderContacts)
+{
+	// A jointed beam comes to rest on it. Once it may fall, it begins at rest: nothing of the contacts' impulses is left on it.
+	for (btElasticPlasticContacts contacts : {BT_EP_EXACT_CONTACTS, BT_EP_SWEPT_CONTACTS})
+	{
+		World world(Solver::Direct);
+		btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
+		settings.m_contacts = contacts;
+		solverOf(world).setSettings(settings);
+		btCollisionShape* cube = world.box(btVector3(1, 1, 1));
+		btRigidBody* table = world.body(50, cube, at(0));
+		makeKinematic(*table);
+		btRigidBody *a = world.body(1000, cube, at(0, btScalar(1.01))),
+					*b = world.body(1000, cube, at(1, btScalar(1.01)));
+		world.joint(*a, *b, at(btScalar(0.5), btScalar(1.01)), evenCapacity(1e8));
+		for (int i = 0; i < 60; ++i)
+		{
+			world.step(FRAME);
+			EXPECT_EQ(btVector3(0, 0, 0), table->getLinearVelocity()) << "step " << i;
+			EXPECT_EQ(btVector3(0, 0, 0), table->getAngularVelocity()) << "step " << i;
+		}
+	}
+}
+
 TEST(HardBodies, BodyWithoutNumbersDoesNotSpoilOtherIslands)
 {
 	World world(Solver::Direct);

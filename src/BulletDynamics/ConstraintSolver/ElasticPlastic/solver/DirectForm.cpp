@@ -614,8 +614,20 @@ void DirectForm::writeVelocities(const SolverPools& pools)
 	}
 }
 
+/// Takes back what Bullet has given to bodies that move as they are told but have a mass: by its warm start, and by sweeping.
+void DirectForm::holdStill(const SolverPools& pools) const
+{
+	for (int i = 0; i < m_index.size(); ++i)
+		if (m_index[i] == STILL)
+			for (btVector3* change :
+				 {&pools.m_bodies[i].m_deltaLinearVelocity, &pools.m_bodies[i].m_deltaAngularVelocity,
+				  &pools.m_bodies[i].m_pushVelocity, &pools.m_bodies[i].m_turnVelocity})
+				change->setZero();
+}
+
 void DirectForm::writeResult(const SolverPools& pools, const btContactSolverInfo& info) const
 {
+	holdStill(pools);
 	for (int i = 0; i < m_poolRows.size(); ++i)
 		m_poolRows[i].m_from->m_appliedImpulse = btScalar(m_system.getImpulse(m_poolRows[i].m_row));
 	if (!m_recovery.hasMotion())

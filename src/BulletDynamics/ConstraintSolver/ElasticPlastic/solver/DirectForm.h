@@ -91,6 +91,7 @@ private:
 					 const SweptRows::RowSolvers& rowSolvers);
 	void takeOthers(const SolverPools& pools);
 	void writeVelocities(const SolverPools& pools);
+	void holdStill(const SolverPools& pools) const;
 
 	SystemInput m_input;
 	System m_system;
