@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
@@ -46,6 +48,22 @@ TEST(Capacity, PapersBlock)
 	expectClose(80e3, c.m_yield[BT_EP_AXIAL]);
 	expectClose(200e9 * 0.0004 / 1.5, c.m_stiffness[BT_EP_AXIAL]);
 	EXPECT_EQ(2000, Material::reinforcedConcrete(btScalar(0.0004)).m_density);
+}
+
+TEST(Capacity, AYieldValueNearTheLargestNumberIsRefused)
+{
+	// Times a deformation it would be an infinite energy.
+	Capacity c;
+	c.set(BT_EP_AXIAL, 1, Capacity::greatestYield());
+	EXPECT_FALSE(c.fault());
+	c.set(BT_EP_SHEAR_Z, 1, std::numeric_limits<btScalar>::max());
+	EXPECT_STREQ("yield force [N]", c.fault().m_quantity);
+	EXPECT_EQ(BT_EP_SHEAR_Z, c.fault().m_dof);
+	c.clear(BT_EP_SHEAR_Z);
+	c.setRigidPlastic(BT_EP_TORSION, 2 * Capacity::greatestYield());
+	EXPECT_STREQ("yield moment [N m]", c.fault().m_quantity);
+	c.scaleYield(btScalar(0.25));
+	EXPECT_FALSE(c.fault());
 }
 
 TEST(Capacity, StiffnessOfAMember)

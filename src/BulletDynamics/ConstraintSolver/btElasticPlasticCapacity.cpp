@@ -63,6 +63,10 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckNotNegative(linear ? "yield force [N]" : "yield moment [N m]", m_yield[i], i))
 			return f;
+		if (m_yield[i] > greatestYield())
+			return btElasticPlasticFault(
+				linear ? "yield force [N]" : "yield moment [N m]", m_yield[i],
+				"at most greatestYield(), 1e37 in float and 1e250 in double; unlimited() stands for never", i);
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckPositive(linear ? "ductility [m]" : "ductility [rad]", m_ductility[i], i))
 			return f;

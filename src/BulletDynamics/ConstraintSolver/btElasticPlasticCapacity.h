@@ -19,9 +19,12 @@ struct btElasticPlasticCapacity
 	/// A spring that is softer has a compliance over a step that is no number any more [N/m], [N m/rad].
 	static btScalar leastStiffness() { return btScalar(1e-20); }
 
+	/// A yield value above this could make a plastic energy that is no number any more [N], [N m]: 1e37 in float, 1e250 in double.
+	static btScalar greatestYield() { return btScalar(sizeof(btScalar) == sizeof(float) ? 1e37 : 1e250); }
+
 	btScalar m_stiffness
 		[BT_EP_DOF_COUNT];  ///< [N/m], [N m/rad], finite, >= 0; a steel bar of 1 cm^2 and 1 m has 2e7 N/m. Of a rigid-plastic degree of freedom: not used
-	btScalar m_yield[BT_EP_DOF_COUNT];      ///< force or moment at which it flows [N], [N m], finite, >= 0
+	btScalar m_yield[BT_EP_DOF_COUNT];      ///< force or moment at which it flows [N], [N m], 0 to greatestYield()
 	btScalar m_ductility[BT_EP_DOF_COUNT];  ///< plastic deformation at which the joint breaks [m], [rad], finite, > 0
 	/// Of shear y with bending z, and of shear z with bending y: the compliance between the two over the root of the product of
 	/// their own, 1/k each; greater than -1 and less than 1. By it the force of one deforms the other, as where the joint is not
@@ -39,7 +42,7 @@ struct btElasticPlasticCapacity
 	btElasticPlasticCapacity(btElasticPlasticOwnPrecision = {});
 
 	/// Elastic-plastic in one degree of freedom, by hand.
-	/// stiffness >= leastStiffness(), yield > 0 (or unlimited()), ductility > 0 (or unlimited()). With a degree of freedom outside
+	/// stiffness >= leastStiffness(), yield > 0 and at most greatestYield() (or unlimited()), ductility > 0 (or unlimited()). With a degree of freedom outside
 	/// of 0 to 5, here and below, the capacity is refused by setCapacity(). It springs by itself: what coupling it had is gone.
 	void set(int dof, btScalar stiffness, btScalar yield, btScalar ductility = unlimited());
 
