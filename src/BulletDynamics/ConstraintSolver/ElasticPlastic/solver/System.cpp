@@ -336,14 +336,19 @@ bool System::search(SystemInput& input, Effort effort)
 	m_contacts.begin(input, m_admissible);
 	m_interiorHasSolved = m_insideHasSolved = m_hasSearched = m_isCut = false;
 	const long long newtonSteps = m_statistics.m_newtonSteps;
+	long long workBefore = m_statistics.m_work;
 	bool solved = findMinimum(input, effort);
 	if (m_insideHasSolved)
 		return finish();
 	bool open = effort == EXACT && m_contacts.isAny() && tighten(1);
 	// The interior point method has no need of them: its contacts are hard.
-	for (int loop = 0; solved && open && !m_interiorHasSolved && !isSpent() && loop < m_settings.m_maxContactLoops;
-		 ++loop)
+	bool isShort = false;
+	for (int loop = 0; solved && open && !m_interiorHasSolved && loop < m_settings.m_maxContactLoops; ++loop)
 	{
+		isShort = isSpent(m_statistics.m_work - workBefore);
+		if (isShort)
+			break;
+		workBefore = m_statistics.m_work;
 		++m_statistics.m_contactLoops;
 		// The interior point method ends the loops, too.
 		m_isHard |= input.getNumBodies() > FEW_BODIES && m_statistics.m_newtonSteps - newtonSteps > MANY_STEPS;
@@ -356,7 +361,7 @@ bool System::search(SystemInput& input, Effort effort)
 	m_statistics.m_looseContacts += open;
 	if (!solved && effort == PLAIN)
 		return false;
-	if (effort == EXACT && (!solved || (open && isSpent())))
+	if (effort == EXACT && (!solved || isShort || (open && isSpent())))
 	{
 		++m_statistics.m_cutSearches;
 		evaluate(input);
