@@ -35,10 +35,16 @@ struct Canvas : btIDebugDraw
 TEST(DebugDraw, ColoursJointsByUse)
 {
 	Row row(1);
-	Canvas fresh, broken;
+	Canvas unknown, fresh, broken;
+	// Before its first step an action knows no world, and cannot tell whether the bodies are still there.
+	row.m_world.action().debugDraw(&unknown);
+	EXPECT_EQ(0, unknown.m_lines);
+	row.run(1);
 	row.m_world.action().debugDraw(&fresh);
 	ASSERT_GT(fresh.m_lines, 0);
-	EXPECT_EQ(btVector3(0, 1, 0), fresh.m_colours[0]);
+	// Its first step has loaded it: between green and yellow.
+	EXPECT_GT(fresh.m_colours[0].y(), fresh.m_colours[0].x());
+	EXPECT_GT(fresh.m_colours[0].y(), 0.9);
 	row.run(240);
 	row.m_world.bullet().setDebugDrawer(&broken);
 	row.m_world.action().debugDraw(&broken);

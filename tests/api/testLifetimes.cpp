@@ -3,6 +3,8 @@
 
 // Bodies, joints, actions and worlds come and go in any order.
 
+#include <math.h>
+
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -12,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticStepper.h"
 #include "LinearMath/btIDebugDraw.h"
 #include "support/Run.h"
 #include "world/EvenCapacity.h"
@@ -228,6 +231,14 @@ TEST(Lifetimes, NoRepairWithoutWorldOrBodies)
 			scene.m_world->removeRigidBody(scene.m_bodies[1].get());
 			EXPECT_FALSE(scene.m_action->repair(scene.m_joints[0].get()));
 			EXPECT_TRUE(scene.m_joints[0]->isBroken());
+			// Bullet takes these masses, and the body for one that moves.
+			for (btScalar mass : {btScalar(-1), btScalar(INFINITY)})
+			{
+				scene.m_bodies[1]->setMassProps(mass, btVector3(1, 1, 1));
+				EXPECT_FALSE(scene.m_action->repair(scene.m_joints[0].get())) << mass;
+				scene.step();
+			}
+			scene.m_bodies[1]->setMassProps(100, btVector3(20, 20, 20));
 			scene.step(3);
 			// Back in the world, it can be repaired.
 			scene.m_world->addRigidBody(scene.m_bodies[1].get());
@@ -275,6 +286,36 @@ TEST(Lifetimes, AJointWhoseBodyIsDeletedIsNotDrawn)
 		scene.m_joints.pop_back();
 		scene.m_world->setDebugDrawer(nullptr);
 	}
+}
+
+TEST(Lifetimes, AJointWhoseBodyIsDeletedIsNotRead)
+{
+	for (Solver solver : SOLVERS)
+		for (int stepped = 0; stepped < 2; ++stepped)
+		{
+			Parts scene(solver);
+			scene.row(3, 1, strong());
+			btElasticPlasticStepControl control;
+			if (stepped)
+				control.step(*scene.m_world, *scene.m_action, FRAME);
+			scene.m_world->removeConstraint(scene.m_joints[2].get());
+			scene.m_world->removeRigidBody(scene.m_bodies[3].get());
+			scene.m_bodies.pop_back();
+			btAlignedObjectArray<btElasticPlasticJoint*> joints;
+			scene.m_action->getJointsInWorld(*scene.m_world, joints);
+			ASSERT_EQ(2, joints.size());
+			EXPECT_EQ(static_cast<btElasticPlasticJoint*>(scene.m_joints[0].get()), joints[0]);
+			EXPECT_EQ(static_cast<btElasticPlasticJoint*>(scene.m_joints[1].get()), joints[1]);
+			Canvas canvas;
+			scene.m_world->setDebugDrawer(&canvas);
+			scene.m_world->debugDrawWorld();
+			scene.m_world->setDebugDrawer(nullptr);
+			const btElasticPlasticStepper stepper(*scene.m_world, *scene.m_action, nullptr, 0.01, FRAME);
+			const std::string text = stepper.getText();
+			EXPECT_EQ(0u, text.find("2 joints between 2 bodies")) << text;
+			control.step(*scene.m_world, *scene.m_action, FRAME);
+			EXPECT_TRUE(isFinite(*scene.m_bodies[2]));
+		}
 }
 
 TEST(Lifetimes, AListenerMayDeleteTheAction)

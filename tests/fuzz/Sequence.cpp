@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlastic6DofSpringConstraint.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticSnapshot.h"
 #include "LinearMath/btIDebugDraw.h"
 #include "world/Place.h"
 
@@ -79,7 +80,8 @@ const std::vector<Sequence::Operation>& Sequence::legal()
 		&Sequence::changeJoint,   &Sequence::saveAndRestore, &Sequence::push,
 		&Sequence::move,          &Sequence::makeKinematic,  &Sequence::stepControlled,
 		&Sequence::changeThreads, &Sequence::changeListener, &Sequence::replaceAction,
-		&Sequence::readEvents,    &Sequence::readAll,        &Sequence::deleteBodyAsBulletUsersDo};
+		&Sequence::readEvents,    &Sequence::readAll,        &Sequence::deleteBodyAsBulletUsersDo,
+		&Sequence::takeSnapshot,  &Sequence::goBack};
 	return all;
 }
 
@@ -88,7 +90,8 @@ const std::vector<Sequence::Operation>& Sequence::hostile()
 	static const std::vector<Operation> all = {
 		&Sequence::badCapacity,  &Sequence::badState,         &Sequence::badDofs,     &Sequence::badBody,
 		&Sequence::badBody,      &Sequence::badStep,          &Sequence::badSettings, &Sequence::badFrames,
-		&Sequence::joinToItself, &Sequence::joinWithoutWorld, &Sequence::takeBodyOut, &Sequence::putBodyIn};
+		&Sequence::joinToItself, &Sequence::joinWithoutWorld, &Sequence::takeBodyOut, &Sequence::putBodyIn,
+		&Sequence::badSnapshot};
 	return all;
 }
 
@@ -194,8 +197,6 @@ void Sequence::setAction(std::unique_ptr<btElasticPlasticAction> action)
 		return;
 	m_arena.m_world.addAction(m_action.get());
 	m_action->setListener(this);
-	// Before its first step an action knows no world, and draws joints whose bodies may have gone.
-	stepWorlds(btScalar(1) / 60, 0, btScalar(1) / 60);
 }
 
 // ---- what a game may do
@@ -368,9 +369,7 @@ void Sequence::step()
 
 void Sequence::stepControlled()
 {
-	// The control looks at all joints that the action knows: their bodies have to be there.
-	const bool hasOrphans = std::any_of(m_joints.begin(), m_joints.end(), [](const Joint& j) { return j.m_isOrphan; });
-	if (hasOrphans || !m_chance.oneIn(4))
+	if (!m_chance.oneIn(4))
 		return;
 	// How many substeps it takes depends on the rest of the world.
 	m_hasTwin = false;
@@ -433,6 +432,35 @@ void Sequence::readAll()
 	}
 }
 
+std::vector<unsigned char> Sequence::snapshot()
+{
+	const auto save = [this](std::vector<unsigned char>& to) {
+		return size_t(
+			btElasticPlasticSave(m_arena.m_world, m_arena.m_broadphase, *m_action, to.data(), int(to.size())));
+	};
+	std::vector<unsigned char> bytes;
+	bytes.resize(save(bytes));
+	if (save(bytes) != bytes.size())
+		complain("a snapshot has another length the second time");
+	return bytes;
+}
+
+void Sequence::takeSnapshot() { m_snapshot = snapshot(); }
+
+/// What has become of bodies and joints since may have made the snapshot a foreign one.
+void Sequence::goBack()
+{
+	if (m_snapshot.empty())
+		return;
+	const std::vector<unsigned char> before = snapshot();
+	const bool isRefused = bool(btElasticPlasticRestore(m_arena.m_world, m_arena.m_broadphase, *m_action,
+														m_snapshot.data(), int(m_snapshot.size())));
+	if (snapshot() != (isRefused ? before : m_snapshot))
+		complain(isRefused ? "a snapshot that is refused has changed the world" : "a snapshot is not restored");
+	// The quiet island goes back, too, but its action does not.
+	m_hasTwin &= isRefused;
+}
+
 // ---- what makes no sense
 
 void Sequence::badCapacity()
@@ -448,8 +476,7 @@ void Sequence::badCapacity()
 			bad.m_stiffness[dof] = m_chance.bad();
 			break;
 		case 1:
-			// A yield value near the largest number is taken, and can make an infinite plastic energy.
-			bad.m_yield[dof] = btMin(m_chance.bad(), btScalar(1e30));
+			bad.m_yield[dof] = m_chance.bad();
 			break;
 		case 2:
 			bad.m_ductility[dof] = m_chance.bad();
@@ -628,6 +655,20 @@ void Sequence::putBodyIn()
 	for (const auto& body : m_bodies)
 		if (!body->getBroadphaseHandle())
 			m_arena.m_world.addRigidBody(body.get(), GROUP, GROUP);
+}
+
+void Sequence::badSnapshot()
+{
+	std::vector<unsigned char> bytes = snapshot();
+	const std::vector<unsigned char> before = bytes;
+	if (m_chance.oneIn(2))
+		bytes.resize(size_t(m_chance.below(int(bytes.size()))));
+	else
+		bytes[size_t(m_chance.below(int(bytes.size())))] ^= static_cast<unsigned char>(1 << m_chance.below(8));
+	if (!btElasticPlasticRestore(m_arena.m_world, m_arena.m_broadphase, *m_action, bytes.data(), int(bytes.size())))
+		complain("a snapshot that has been spoilt is taken");
+	if (snapshot() != before)
+		complain("a snapshot that has been spoilt has changed the world");
 }
 
 // ---- what must be true

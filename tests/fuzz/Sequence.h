@@ -79,6 +79,8 @@ private:
 	void replaceAction();
 	void readEvents();
 	void readAll();
+	void takeSnapshot();
+	void goBack();
 
 	// ---- hostile
 	void badCapacity();
@@ -92,6 +94,7 @@ private:
 	void joinWithoutWorld();
 	void takeBodyOut();
 	void putBodyIn();
+	void badSnapshot();
 
 	// ---- the listener
 	void onYield(const btElasticPlasticEvent& event) override { check(event); }
@@ -111,6 +114,7 @@ private:
 	btRigidBody* anyBody();
 	void check(const btElasticPlasticEvent& event);
 	void checkAll();
+	std::vector<unsigned char> snapshot();
 	void complain(const std::string& what);
 
 	Chance m_chance;
@@ -125,6 +129,7 @@ private:
 	std::set<const btElasticPlasticJoint*> m_known;  ///< to the action
 	bool m_deletesInListener = false;
 	bool m_hasTwin = true;
+	std::vector<unsigned char> m_snapshot;  ///< empty: none
 	std::string m_complaint;
 };
 

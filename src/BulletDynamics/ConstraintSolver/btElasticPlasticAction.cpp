@@ -41,6 +41,16 @@ int btElasticPlasticAction::getNumJoints() { return m_registry->getNumJoints(); 
 int btElasticPlasticAction::getNumBroken() const { return m_registry->getNumBroken(); }
 btElasticPlasticJoint* btElasticPlasticAction::getJoint(int index) { return &m_registry->getJoint(index).m_joint; }
 
+void btElasticPlasticAction::getJointsInWorld(const btDynamicsWorld& world,
+											  btAlignedObjectArray<btElasticPlasticJoint*>& joints)
+{
+	btAlignedObjectArray<btElasticPlastic::JointWorks*> found;
+	m_registry->findHolding(world, found);
+	joints.resize(found.size());
+	for (int i = 0; i < found.size(); ++i)
+		joints[i] = &found[i]->m_joint;
+}
+
 void btElasticPlasticAction::setListener(btElasticPlasticListener* listener) { m_registry->setListener(listener); }
 bool btElasticPlasticAction::popEvent(btElasticPlasticEvent& event) { return m_registry->popEvent(event); }
 double btElasticPlasticAction::getTime() const { return m_registry->getTime(); }

@@ -14,7 +14,8 @@ class btDynamicsWorld;
 namespace btElasticPlastic
 {
 class JointRegistry;
-}
+class Snapshot;
+}  // namespace btElasticPlastic
 
 /// The registry of a world's elastic-plastic joints: one per world, added with btDynamicsWorld::addAction.
 /// Once per substep it commits every joint that was solved, takes broken ones out of the world, and reports events.
@@ -51,6 +52,11 @@ public:
 	/// Joints in the order they were added; broken ones come last, in the order they broke.
 	btElasticPlasticJoint* getJoint(int index);
 
+	/// Joints known here that hold and are in a world, in the order they were added. Unlike those of getJoint() they have their
+	/// bodies, even if a user has taken joints out of the world and deleted theirs.
+	/// \param joints  what it held before is gone
+	void getJointsInWorld(const btDynamicsWorld& world, btAlignedObjectArray<btElasticPlasticJoint*>& joints);
+
 	/// With a listener, events go to it and not to the queue. Null: back to the queue. It must outlive the action.
 	void setListener(btElasticPlasticListener* listener);
 
@@ -63,10 +69,12 @@ public:
 
 	void updateAction(btCollisionWorld* world, btScalar timeStep) override;
 
-	/// Draws all joints, see btElasticPlasticDebugDraw.h.
+	/// Draws the joints whose bodies are in the world, see btElasticPlasticDebugDraw.h; before the world's first step, none.
 	void debugDraw(btIDebugDraw* drawer) override;
 
 private:
+	friend class btElasticPlastic::Snapshot;
+
 	btElasticPlastic::JointRegistry* const m_registry;
 };
 

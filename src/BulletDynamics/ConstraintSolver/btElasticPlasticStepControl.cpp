@@ -70,7 +70,7 @@ struct btElasticPlasticStepControl::Works
 
 	void refine(int level) { m_level = btMax(m_level, btMin(m_maxLevel, level)); }
 	void lookAhead(btDynamicsWorld& world);
-	void markJoined(const btDynamicsWorld& world, btElasticPlasticAction& action);
+	void markJoined(const btDynamicsWorld& world, const btAlignedObjectArray<btElasticPlasticJoint*>& joints);
 	void chooseLevel();
 
 	/// From here on coarser steps have to show that they leave little open: a spring that the level below resolves has
@@ -141,12 +141,13 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	return w.m_length = length;
 }
 
-void btElasticPlasticStepControl::Works::markJoined(const btDynamicsWorld& world, btElasticPlasticAction& action)
+void btElasticPlasticStepControl::Works::markJoined(const btDynamicsWorld& world,
+													const btAlignedObjectArray<btElasticPlasticJoint*>& joints)
 {
 	m_joined.clear(world.getNumCollisionObjects());
-	for (int i = action.getNumJoints() - action.getNumBroken() - 1; i >= 0; --i)
+	for (int i = 0; i < joints.size(); ++i)
 	{
-		const btTypedConstraint& constraint = action.getJoint(i)->getConstraint();
+		const btTypedConstraint& constraint = joints[i]->getConstraint();
 		for (const btRigidBody* body : {&constraint.getRigidBodyA(), &constraint.getRigidBodyB()})
 			if (!body->isStaticOrKinematicObject())
 				m_joined.mark(*body);
@@ -176,8 +177,10 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 	Works& w = *m_works;
 	w.m_errorReduction.restore(world);
 	w.m_left -= w.m_parts;
-	w.markJoined(world, action);
-	w.m_openWork.measure(world, action, double(w.m_length), double(w.m_dt));
+	btAlignedObjectArray<btElasticPlasticJoint*> joints;
+	action.getJointsInWorld(world, joints);
+	w.markJoined(world, joints);
+	w.m_openWork.measure(world, joints, double(w.m_length), double(w.m_dt));
 	w.chooseLevel();
 }
 

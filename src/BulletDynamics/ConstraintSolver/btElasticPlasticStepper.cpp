@@ -46,7 +46,9 @@ void describeMistakes(Text& text, const SceneSurvey& survey, const btDynamicsWor
 	if (solver && solver != const_cast<btDynamicsWorld&>(world).getConstraintSolver())
 		text.add("mistake: the solver is not the world's; give the one that the world was made with, or null\n");
 	if (survey.m_joints == 0)
-		text.add("mistake: the action has no joints; call btElasticPlasticAction::addJoint before\n");
+		text.add(
+			"mistake: the action has no joints in the world; call addConstraint and btElasticPlasticAction::addJoint "
+			"before\n");
 }
 
 void describeSolver(Text& text, const SceneSurvey& survey, btDynamicsWorld& world, bool isOurs)
@@ -99,7 +101,9 @@ btElasticPlasticStepper::btElasticPlasticStepper(btDynamicsWorld& world, btElast
 	const bool isOurs = solver && solver == world.getConstraintSolver();
 	if (isOurs)
 		solver->setForm(BT_EP_DIRECT);
-	const SceneSurvey survey = surveyScene(action, double(step));
+	btAlignedObjectArray<btElasticPlasticJoint*> joints;
+	action.getJointsInWorld(world, joints);
+	const SceneSurvey survey = surveyScene(joints, double(step));
 	Text text;
 	describeScene(text, survey);
 	describeMistakes(text, survey, world, solver, step);

@@ -27,7 +27,9 @@ bool isFinite(const btRigidBody& body)
 
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA)
 {
-	if (body.getInvMass() == 0 || body.getBroadphaseHandle())
+	// A mass that is infinite or negative does not make a body static: Bullet looks for its island all the same.
+	const bool isStill = body.getInvMass() == 0 && body.isStaticOrKinematicObject();
+	if (isStill || body.getBroadphaseHandle())
 		return btElasticPlasticFault();
 	return btElasticPlasticFault(
 		isBodyA ? "number of worlds that body A is in" : "number of worlds that body B is in", 0,

@@ -46,6 +46,9 @@ public:
 
 	int getCount() const { return m_events.getCount(); }
 
+	/// The n-th unread event, the oldest first.
+	const btElasticPlasticEvent& get(int n) { return m_events.get(n).m_event; }
+
 private:
 	struct Item
 	{

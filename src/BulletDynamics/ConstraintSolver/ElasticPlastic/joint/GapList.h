@@ -54,6 +54,13 @@ public:
 		m_begin = btMin(m_begin, getEnd());
 	}
 
+	/// Forgets all elements without telling them.
+	void clear()
+	{
+		m_elements.resize(0);
+		m_begin = m_count = 0;
+	}
+
 	void closeGaps()
 	{
 		if (m_count == getEnd())

@@ -17,6 +17,16 @@ bool joins(const btTypedConstraint& constraint, const btRigidBody& body)
 {
 	return &constraint.getRigidBodyA() == &body || &constraint.getRigidBodyB() == &body;
 }
+
+/// Whether a constraint in the world keeps its bodies from colliding.
+bool keepsFromColliding(btTypedConstraint& constraint)
+{
+	btRigidBody& body = constraint.getRigidBodyA();
+	for (int i = 0; i < body.getNumConstraintRefs(); ++i)
+		if (body.getConstraintRef(i) == &constraint)
+			return true;
+	return false;
+}
 }  // namespace
 
 void JointRegistry::Entry::setIndex(int index) const { m_joint->m_entry.m_index = index; }
@@ -62,6 +72,7 @@ bool JointRegistry::add(JointWorks& joint)
 	if (joint.m_entry.m_registry)
 		joint.m_entry.m_registry->remove(joint);
 	joint.m_entry.m_registry = this;
+	joint.m_entry.m_number = m_numNumbers++;
 	m_joints.append({&joint, nullptr, false});
 	return true;
 }
@@ -97,11 +108,9 @@ bool JointRegistry::repair(JointWorks& joint)
 {
 	if (joint.m_entry.m_registry != this || !isBroken(joint))
 		return false;
-	// A body without a broadphase handle is in no world: it has left its world, or that has been deleted.
-	const btRigidBody* const bodies[2] = {&joint.m_model.bodyA(), &joint.m_model.bodyB()};
-	for (const btRigidBody* body : bodies)
-		if (body->getInvMass() > 0 && !body->getBroadphaseHandle())
-			return false;
+	// A body has left its world, or that has been deleted.
+	if (joint.m_model.findMissingWorld())
+		return false;
 	const Entry entry = m_broken[joint.m_entry.m_index];
 	m_broken.remove(joint.m_entry.m_index);
 	endSeparation(joint);
@@ -126,9 +135,26 @@ void JointRegistry::findDrawable(btAlignedObjectArray<JointWorks*>& joints)
 	for (int i = 0; i < getNumJoints(); ++i)
 	{
 		const JointModel& model = getJoint(i).m_model;
-		if (!m_world || (isThere(model.bodyA()) && isThere(model.bodyB())))
+		if (m_world && isThere(model.bodyA()) && isThere(model.bodyB()))
 			joints.push_back(&getJoint(i));
 	}
+}
+
+void JointRegistry::findHolding(const btDynamicsWorld& world, btAlignedObjectArray<JointWorks*>& joints)
+{
+	joints.resize(0);
+	joints.resize(m_joints.getEnd(), nullptr);
+	for (int i = 0; i < world.getNumConstraints(); ++i)
+	{
+		JointWorks* const joint = JointWorks::from(const_cast<btTypedConstraint*>(world.getConstraint(i)));
+		if (joint && joint->m_entry.m_registry == this && !isBroken(*joint))
+			joints[joint->m_entry.m_index] = joint;
+	}
+	int found = 0;
+	for (int i = 0; i < joints.size(); ++i)
+		if (joints[i])
+			joints[found++] = joints[i];
+	joints.resize(found);
 }
 
 // ---- the end of a substep
@@ -202,9 +228,7 @@ bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 {
 	btTypedConstraint& constraint = joint.m_model.m_constraint;
 	btRigidBody &a = constraint.getRigidBodyA(), &b = constraint.getRigidBodyB();
-	bool kept = false;
-	for (int i = 0; i < a.getNumConstraintRefs() && !kept; ++i)
-		kept = a.getConstraintRef(i) == &constraint;
+	const bool kept = keepsFromColliding(constraint);
 	world.removeConstraint(&constraint);
 	if (kept && joint.m_separation.begin(world, constraint))
 	{
@@ -230,6 +254,55 @@ void JointRegistry::endSeparation(JointWorks& joint)
 	joint.m_separation.end(m_token.getWorld(), joint.m_model.m_constraint);
 	if (--m_numSeparations == 0)
 		m_token.leave();
+}
+
+// ---- snapshots
+
+void JointRegistry::arrange(btDynamicsWorld& world, const Standing* joints, int numJoints, double time)
+{
+	btAlignedObjectArray<Entry> entries;
+	for (int i = 0; i < numJoints; ++i)
+	{
+		JointWorks& joint = *joints[i].m_joint;
+		m_events.forget(joint.m_entry.m_events);
+		endSeparation(joint);
+		entries.push_back(isBroken(joint) ? m_broken[joint.m_entry.m_index] : Entry{&joint, nullptr, false});
+	}
+	m_joints.clear();
+	m_broken.clear();
+	for (int i = 0; i < numJoints; ++i)
+	{
+		btTypedConstraint& constraint = joints[i].m_joint->m_model.m_constraint;
+		Entry& entry = entries[i];
+		const bool wasBroken = entry.m_world != nullptr;
+		if (!joints[i].m_isBroken)
+		{
+			if (wasBroken)
+				world.addConstraint(&constraint, entry.m_disableCollisions);
+			m_joints.append({entry.m_joint, nullptr, false});
+			continue;
+		}
+		if (!wasBroken)
+		{
+			entry.m_disableCollisions = keepsFromColliding(constraint);
+			world.removeConstraint(&constraint);
+		}
+		entry.m_world = &world;
+		if (joints[i].m_isSeparating)
+		{
+			entry.m_joint->m_separation.resume(world, constraint, joints[i].m_overlap);
+			m_token.enter(world);
+			++m_numSeparations;
+		}
+		m_broken.append(entry);
+	}
+	m_world = &world;
+	m_time = time;
+}
+
+void JointRegistry::addEvent(const btElasticPlasticEvent& event, JointWorks& joint)
+{
+	m_events.push(event, joint.m_entry.m_events);
 }
 
 // ---- events

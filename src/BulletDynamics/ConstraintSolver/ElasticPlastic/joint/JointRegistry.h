@@ -38,15 +38,42 @@ public:
 	JointWorks& getJoint(int index);
 
 	/// Finds the joints whose bodies are in the world, as a user may have taken a joint out of it and deleted its bodies.
-	/// Before the first step it finds all joints. To be called only while the world exists.
+	/// Before the first step it finds none, as the world is not known yet. To be called only while the world exists.
 	void findDrawable(btAlignedObjectArray<JointWorks*>& joints);
+
+	/// Finds the joints that hold and are in a world, in the order in which they were added here.
+	void findHolding(const btDynamicsWorld& world, btAlignedObjectArray<JointWorks*>& joints);
 
 	void setListener(btElasticPlasticListener* listener) { m_listener = listener; }
 	bool popEvent(btElasticPlasticEvent& event) { return m_events.pop(event); }
+	EventQueue& getEvents() { return m_events; }
 	double getTime() const { return m_time; }
 
 	/// Tells the listener that a joint was refused; without a listener, prints the text to the standard error output.
 	void refuse(btElasticPlasticJoint& joint, const char* text);
+
+	// ---- for snapshots
+
+	/// A joint as it is to stand in the registry.
+	struct Standing
+	{
+		JointWorks* m_joint;
+		bool m_isBroken, m_isSeparating;
+		btScalar m_overlap;  ///< while it separates
+	};
+
+	/// The object that marks a world in which broken joints separate; null if none do.
+	btCollisionObject* getMark() const { return m_token.getObject(); }
+
+	/// Arranges the joints that are known here, and whether they are in the world, as they were at another time. Unread events
+	/// are gone.
+	/// \param joints  all of them, those that hold first
+	void arrange(btDynamicsWorld& world, const Standing* joints, int numJoints, double time);
+
+	/// Puts an event of a known joint into the queue.
+	void addEvent(const btElasticPlasticEvent& event, JointWorks& joint);
+
+	// ---- in each step
 
 	/// Ends a substep: commits every joint, takes broken ones out of the world, and tells of events.
 	void commit(btDynamicsWorld& world, btScalar timeStep);
@@ -82,6 +109,7 @@ private:
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;
+	int m_numNumbers = 0;         ///< that joints have got
 	int m_numSeparations = 0;     ///< broken joints whose bodies still overlap
 	WorldToken m_token;           ///< in the world while there are any
 	bool* m_isDeleted = nullptr;  ///< set by the destructor while events are delivered

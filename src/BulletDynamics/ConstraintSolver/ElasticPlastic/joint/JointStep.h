@@ -93,6 +93,10 @@ public:
 	btScalar getRateBefore(int r) const { return -m_row[r].m_velocity0; }
 	btScalar getRateAfter(int r) const { return -m_row[r].m_velocity1; }
 
+	/// By degree of freedom: -1, 0 or 1. The next step's search for the rows at their bounds begins with them.
+	const signed char* getLastBounds() const { return m_lastBound; }
+	void setLastBound(int dof, signed char bound) { m_lastBound[dof] = bound; }
+
 	/// J v of all six degrees of freedom from the relative velocity of A to B at the common point and the relative angular
 	/// velocity, or likewise a force's and a torque's components.
 	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;

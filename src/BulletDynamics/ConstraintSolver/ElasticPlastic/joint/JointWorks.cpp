@@ -154,6 +154,14 @@ void JointWorks::request(Request request)
 
 void JointWorks::requestJacobians() { request(JACOBIANS); }
 
+void JointWorks::resume(int numUncommitted, int nextRequest)
+{
+	m_step.revert();
+	m_numUncommitted = numUncommitted;
+	request(Request(nextRequest));
+	leaveFactor();
+}
+
 bool JointWorks::beginAlone()
 {
 	request(NO_ROWS);

@@ -21,6 +21,7 @@ struct RegistryEntry
 {
 	JointRegistry* m_registry = nullptr;  ///< null: no action knows the joint
 	int m_index = 0;                      ///< in the registry's list of joints that hold, or of those that are broken
+	int m_number = 0;                     ///< of the joint in the order in which the registry has got to know them
 	UnreadEvents m_events;
 };
 
@@ -92,6 +93,21 @@ public:
 	/// Sets the number of substeps that nobody has committed to zero.
 	void forgetUncommitted() { m_numUncommitted = 0; }
 
+	// ---- for snapshots
+
+	int getNumUncommitted() const { return m_numUncommitted; }
+	int getNextRequest() const { return m_nextRequest; }
+
+	/// Puts back what Bullet sees of the joint, after its model has been put back.
+	void resume(int numUncommitted, int nextRequest);
+
+	/// Makes the solution of the next step independent of the factor that the direct form has kept.
+	void leaveFactor()
+	{
+		if (m_islandId > 0)
+			m_islandId = -m_islandId;
+	}
+
 	void setFault(const btElasticPlasticFault& fault);
 
 	/// Reports m_model.m_fault to a registry's listener or, without a registry, on the standard error output.
@@ -107,7 +123,8 @@ public:
 	JointStep m_step;
 	RegistryEntry m_entry;
 	Separation m_separation;
-	int m_islandId = 0;  ///< the id by which the direct form finds the kept factor of the joint's island; 0: none
+	int m_islandId =
+		0;  ///< the id by which the direct form finds the kept factor of the joint's island; 0: none; less: not to be used
 
 private:
 	/// What Bullet sees of the joint in a step.

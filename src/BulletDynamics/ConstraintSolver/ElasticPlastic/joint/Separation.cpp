@@ -66,11 +66,16 @@ bool Separation::begin(btDynamicsWorld& world, btTypedConstraint& constraint)
 {
 	if (overlapOf(world, constraint.getRigidBodyA(), constraint.getRigidBodyB()) <= SLOP)
 		return false;
+	// The overlap has not been measured in a step yet.
+	resume(world, constraint, SIMD_INFINITY);
+	return true;
+}
+
+void Separation::resume(btDynamicsWorld& world, btTypedConstraint& constraint, btScalar overlap)
+{
 	world.addConstraint(&constraint, false);
 	m_world = &world;
-	// The overlap has not been measured in a step yet.
-	m_overlap = SIMD_INFINITY;
-	return true;
+	m_overlap = overlap;
 }
 
 void Separation::end(btDynamicsWorld* world, btTypedConstraint& constraint)

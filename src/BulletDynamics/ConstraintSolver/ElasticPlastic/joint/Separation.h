@@ -30,7 +30,12 @@ public:
 	/// \param world  null: gone
 	void end(btDynamicsWorld* world, btTypedConstraint& constraint);
 
+	/// Goes on with one that was under way when a snapshot was taken.
+	/// \param overlap  of the bodies in the last step [m]
+	void resume(btDynamicsWorld& world, btTypedConstraint& constraint, btScalar overlap);
+
 	bool isUnderWay() const { return m_world != nullptr; }
+	btScalar getOverlap() const { return m_overlap; }
 
 	/// Whether the bodies were apart in the last step.
 	bool isDone() const;

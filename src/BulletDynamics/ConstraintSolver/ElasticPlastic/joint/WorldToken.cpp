@@ -53,6 +53,8 @@ void WorldToken::leave()
 	m_world = nullptr;
 }
 
+btCollisionObject* WorldToken::getObject() const { return getWorld() ? m_object : nullptr; }
+
 btDynamicsWorld* WorldToken::getWorld() const
 {
 	return m_object && m_object->getBroadphaseHandle() ? m_world : nullptr;

@@ -27,6 +27,9 @@ public:
 	/// The marked world; null if it is gone, or none is marked.
 	btDynamicsWorld* getWorld() const;
 
+	/// The object in the marked world; null if there is none.
+	btCollisionObject* getObject() const;
+
 private:
 	class Object;
 

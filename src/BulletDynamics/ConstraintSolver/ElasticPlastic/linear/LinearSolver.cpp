@@ -4,6 +4,7 @@
 #include "LinearSolver.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 #include "ScopedTimer.h"
 
@@ -47,7 +48,7 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 	for (auto i = range.first; i != range.second; ++i)
 	{
 		Plan& plan = *i->second;
-		if ((plan.m_islandId == 0 || plan.m_islandId == islandId) && plan.m_numBodies == numBodies &&
+		if ((plan.m_islandId == 0 || plan.m_islandId == abs(islandId)) && plan.m_numBodies == numBodies &&
 			plan.m_edges == edges)
 			m_plan = &plan;
 	}
@@ -66,6 +67,11 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 	// The old factor of an island that has slept is not used: whether its plan is still there depends on other islands.
 	m_factorState = m_plan->m_lastUse + 1 >= m_step && isWorthKeeping(m_plan->m_factor, numSolutions) ? OLD : NONE;
 	m_plan->m_lastUse = m_step;
+	if (islandId < 0)
+	{
+		m_factorState = NONE;
+		m_plan->m_patience = 0;
+	}
 }
 
 void LinearSolver::setSettings(const btElasticPlasticSolverSettings& settings)

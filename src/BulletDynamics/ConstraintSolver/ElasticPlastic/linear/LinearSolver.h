@@ -31,7 +31,7 @@ public:
 
 	/// Begins a problem, with a matrix of zeros on its graph.
 	/// \param edges   two bodies each; repetitions and directions make no difference to the matrix
-	/// \param islandId  by which the island's kept factor is found, see getIslandId(); 0: it has none
+	/// \param islandId  by which the island's kept factor is found, see getIslandId(); 0: it has none; less: it has, but is not to use it
 	/// \param numSolutions  about how many there will be, > 0: with many a new factor is cheaper than iterations with an old one
 	/// \param numLast       so many of the highest bodies are eliminated last
 	void begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions, int numLast = 0);

@@ -5,17 +5,18 @@
 
 #include <math.h>
 
-#include "../../btElasticPlasticAction.h"
+#include "../../btElasticPlasticJoint.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 
 namespace btElasticPlastic
 {
-void OpenWork::measure(const btDynamicsWorld& world, btElasticPlasticAction& action, double length, double ahead)
+void OpenWork::measure(const btDynamicsWorld& world, const btAlignedObjectArray<btElasticPlasticJoint*>& joints,
+					   double length, double ahead)
 {
 	m_length = length;
 	m_ahead = ahead;
 	addBodies(world);
-	addJoints(action);
+	addJoints(joints);
 	m_share = m_mendableShare = 0;
 	for (int i = 0; i < m_islands.size(); ++i)
 	{
@@ -61,11 +62,11 @@ void OpenWork::addBodies(const btDynamicsWorld& world)
 	}
 }
 
-void OpenWork::addJoints(btElasticPlasticAction& action)
+void OpenWork::addJoints(const btAlignedObjectArray<btElasticPlasticJoint*>& joints)
 {
-	for (int i = action.getNumJoints() - action.getNumBroken() - 1; i >= 0; --i)
+	for (int i = joints.size() - 1; i >= 0; --i)
 	{
-		const btElasticPlasticJoint& joint = *action.getJoint(i);
+		const btElasticPlasticJoint& joint = *joints[i];
 		const btRigidBody &a = joint.getConstraint().getRigidBodyA(), &b = joint.getConstraint().getRigidBodyB();
 		const bool isHeld = a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject();
 		const int tag = (a.isStaticOrKinematicObject() ? b : a).getIslandTag();

@@ -8,7 +8,6 @@
 #include "LinearMath/btVector3.h"
 
 class btDynamicsWorld;
-class btElasticPlasticAction;
 class btElasticPlasticJoint;
 class btRigidBody;
 
@@ -32,9 +31,11 @@ class OpenWork
 {
 public:
 	/// Measures what a substep has left open, after it.
+	/// \param joints  of the world
 	/// \param length  of the substep [s]
 	/// \param ahead   how far ahead yield is looked for, the length of the step [s]
-	void measure(const btDynamicsWorld& world, btElasticPlasticAction& action, double length, double ahead);
+	void measure(const btDynamicsWorld& world, const btAlignedObjectArray<btElasticPlasticJoint*>& joints,
+				 double length, double ahead);
 
 	/// T, the largest of all islands.
 	double getShare() const { return m_share; }
@@ -53,7 +54,7 @@ private:
 	};
 
 	void addBodies(const btDynamicsWorld& world);
-	void addJoints(btElasticPlasticAction& action);
+	void addJoints(const btAlignedObjectArray<btElasticPlasticJoint*>& joints);
 	void addRow(Island& island, const btElasticPlasticJoint& joint, int r, double place) const;
 	static void addSupport(Island& island, const btRigidBody& support, const btVector3& place);
 

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "../../btElasticPlasticAction.h"
+#include "../../btElasticPlasticJoint.h"
 #include "BulletCollision/CollisionShapes/btCollisionShape.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btHashMap.h"
@@ -33,7 +33,7 @@ double mobility(const btElasticPlasticJoint& joint, int dof)
 }
 
 /// The number of joints between the supports and the body that is farthest from them.
-int depthOf(btElasticPlasticAction& action)
+int depthOf(const btAlignedObjectArray<btElasticPlasticJoint*>& joints)
 {
 	btHashMap<btHashPtr, int> index;
 	std::vector<std::vector<int>> neighbours;
@@ -50,9 +50,9 @@ int depthOf(btElasticPlasticAction& action)
 			queue.push_back(node);
 		return node;
 	};
-	for (int i = action.getNumJoints() - action.getNumBroken() - 1; i >= 0; --i)
+	for (int i = joints.size() - 1; i >= 0; --i)
 	{
-		const btTypedConstraint& constraint = action.getJoint(i)->getConstraint();
+		const btTypedConstraint& constraint = joints[i]->getConstraint();
 		const int a = nodeOf(constraint.getRigidBodyA()), b = nodeOf(constraint.getRigidBodyB());
 		neighbours[a].push_back(b);
 		neighbours[b].push_back(a);
@@ -69,13 +69,13 @@ int depthOf(btElasticPlasticAction& action)
 }
 }  // namespace
 
-SceneSurvey surveyScene(btElasticPlasticAction& action, double step)
+SceneSurvey surveyScene(const btAlignedObjectArray<btElasticPlasticJoint*>& joints, double step)
 {
 	SceneSurvey survey;
 	btHashMap<btHashPtr, int> seen;
-	for (int i = action.getNumJoints() - action.getNumBroken() - 1; i >= 0; --i)
+	for (int i = joints.size() - 1; i >= 0; --i)
 	{
-		const btElasticPlasticJoint& joint = *action.getJoint(i);
+		const btElasticPlasticJoint& joint = *joints[i];
 		++survey.m_joints;
 		const btRigidBody* const bodies[] = {&joint.getConstraint().getRigidBodyA(),
 											 &joint.getConstraint().getRigidBodyB()};
@@ -111,7 +111,7 @@ SceneSurvey surveyScene(btElasticPlasticAction& action, double step)
 			survey.m_longest = btMax(survey.m_longest, period);
 		}
 	}
-	survey.m_depth = depthOf(action);
+	survey.m_depth = depthOf(joints);
 	return survey;
 }
 }  // namespace btElasticPlastic

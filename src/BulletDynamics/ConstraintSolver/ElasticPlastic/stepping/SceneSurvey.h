@@ -4,9 +4,9 @@
 #ifndef BT_ELASTIC_PLASTIC_SCENE_SURVEY_H
 #define BT_ELASTIC_PLASTIC_SCENE_SURVEY_H
 
-#include "LinearMath/btScalar.h"
+#include "LinearMath/btAlignedObjectArray.h"
 
-class btElasticPlasticAction;
+class btElasticPlasticJoint;
 
 namespace btElasticPlastic
 {
@@ -22,12 +22,12 @@ struct SceneSurvey
 	int m_colliding = 0;  ///< joined bodies that may touch others
 	double m_shortest = SIMD_INFINITY, m_longest = 0;  ///< periods of single degrees of freedom [s]
 	double m_massRatio = 1;                            ///< the largest ratio of two neighbours' masses
-	double m_slenderness = 0;  ///< the largest ratio of a body's longest edge to its shortest
+	double m_slenderness = 0;                          ///< the largest ratio of a body's longest edge to its shortest
 };
 
 /// Surveys an action's joints that are not broken, and their bodies.
 /// \param step  of the game [s]
-SceneSurvey surveyScene(btElasticPlasticAction& action, double step);
+SceneSurvey surveyScene(const btAlignedObjectArray<btElasticPlasticJoint*>& joints, double step);
 }  // namespace btElasticPlastic
 
 #endif  // BT_ELASTIC_PLASTIC_SCENE_SURVEY_H

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_ARCHIVE_H
+#define BT_ELASTIC_PLASTIC_ARCHIVE_H
+
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <type_traits>
+#include <vector>
+
+#include "LinearMath/btTransform.h"
+
+namespace btElasticPlastic
+{
+// A Writer and a Reader are called with the same values in the same order: one function describes both directions.
+
+/// Puts values one after another into a buffer; what no longer fits is counted only.
+class Writer
+{
+public:
+	Writer(unsigned char* buffer, size_t capacity) : m_buffer(buffer), m_capacity(capacity) {}
+
+	size_t getSize() const { return m_size; }
+
+	template <class T>
+	std::enable_if_t<std::is_arithmetic<T>::value> operator()(T& value)
+	{
+		if (m_size + sizeof value <= m_capacity)
+			memcpy(m_buffer + m_size, &value, sizeof value);
+		m_size += sizeof value;
+	}
+
+	/// Begins a list. \return its length
+	template <class T>
+	size_t list(std::vector<T>& elements)
+	{
+		uint32_t count = uint32_t(elements.size());
+		(*this)(count);
+		return elements.size();
+	}
+
+private:
+	unsigned char* m_buffer;
+	size_t m_capacity, m_size = 0;
+};
+
+/// Takes values out of a buffer. Past its end it finds zeros and empty lists.
+class Reader
+{
+public:
+	Reader(const unsigned char* buffer, size_t size) : m_buffer(buffer), m_size(size) {}
+
+	/// Whether all that was asked for was there, and nothing else.
+	bool isComplete() const { return !m_hasFailed && m_place == m_size; }
+
+	template <class T>
+	std::enable_if_t<std::is_arithmetic<T>::value> operator()(T& value)
+	{
+		value = T();
+		if (m_hasFailed || m_size - m_place < sizeof value)
+		{
+			m_hasFailed = true;
+			return;
+		}
+		memcpy(&value, m_buffer + m_place, sizeof value);
+		m_place += sizeof value;
+	}
+	void operator()(bool& value)
+	{
+		unsigned char byte;
+		(*this)(byte);
+		m_hasFailed |= byte > 1;
+		value = byte == 1;
+	}
+
+	template <class T>
+	size_t list(std::vector<T>& elements)
+	{
+		uint32_t count;
+		(*this)(count);
+		// An element has a byte at least.
+		m_hasFailed |= count > m_size - m_place;
+		elements.resize(m_hasFailed ? 0 : count);
+		return elements.size();
+	}
+
+private:
+	const unsigned char* m_buffer;
+	size_t m_size, m_place = 0;
+	bool m_hasFailed = false;
+};
+
+template <class Archive, class T, size_t N>
+void transfer(Archive& archive, T (&values)[N])
+{
+	for (T& value : values)
+		archive(value);
+}
+
+template <class Archive>
+void transfer(Archive& archive, btVector3& v)
+{
+	btScalar values[3] = {v.x(), v.y(), v.z()};
+	transfer(archive, values);
+	v.setValue(values[0], values[1], values[2]);
+}
+
+template <class Archive>
+void transfer(Archive& archive, btQuaternion& q)
+{
+	btScalar values[4] = {q.x(), q.y(), q.z(), q.w()};
+	transfer(archive, values);
+	q.setValue(values[0], values[1], values[2], values[3]);
+}
+
+template <class Archive>
+void transfer(Archive& archive, btTransform& t)
+{
+	for (int i = 0; i < 3; ++i)
+		transfer(archive, t.getBasis()[i]);
+	transfer(archive, t.getOrigin());
+}
+
+/// Lists of what has a transfer() of its own.
+template <class Archive, class T>
+void transferList(Archive& archive, std::vector<T>& elements)
+{
+	archive.list(elements);
+	for (T& element : elements)
+		transfer(archive, element);
+}
+
+/// Lists of numbers.
+template <class Archive, class T>
+void transferNumbers(Archive& archive, std::vector<T>& numbers)
+{
+	archive.list(numbers);
+	for (T& number : numbers)
+		archive(number);
+}
+
+/// A sum that no change of a few neighbouring bits leaves as it is.
+inline uint64_t checksumOf(const unsigned char* bytes, size_t size)
+{
+	uint64_t sum = size;
+	for (size_t i = 0; i < size; i += sizeof sum)
+	{
+		uint64_t word = 0;
+		memcpy(&word, bytes + i, size - i < sizeof word ? size - i : sizeof word);
+		sum = (sum ^ word) * 0x9E3779B97F4A7C15ull;
+		sum ^= sum >> 32;
+	}
+	return sum;
+}
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_ARCHIVE_H

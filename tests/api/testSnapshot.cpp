@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// A world that is restored goes on with the same bits, and what is no snapshot of it is refused.
+
+#include <string.h>
+#include <time.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticSnapshot.h"
+#include "support/DirectSolver.h"
+#include "support/Precision.h"
+#include "support/Run.h"
+#include "world/EvenCapacity.h"
+#include "world/Place.h"
+
+namespace
+{
+using namespace ep;
+
+typedef std::vector<unsigned char> Bytes;
+
+btDbvtBroadphase& broadphaseOf(World& world) { return static_cast<btDbvtBroadphase&>(*world.bullet().getBroadphase()); }
+
+Bytes save(World& world)
+{
+	Bytes bytes(size_t(btElasticPlasticSave(world.bullet(), broadphaseOf(world), world.action(), nullptr, 0)));
+	EXPECT_EQ(int(bytes.size()), btElasticPlasticSave(world.bullet(), broadphaseOf(world), world.action(), bytes.data(),
+													  int(bytes.size())));
+	return bytes;
+}
+
+btElasticPlasticFault restore(World& world, const Bytes& bytes)
+{
+	return btElasticPlasticRestore(world.bullet(), broadphaseOf(world), world.action(), bytes.data(),
+								   int(bytes.size()));
+}
+
+/// The bits of all bodies and joints.
+uint64_t hash(World& world)
+{
+	uint64_t sum = 0;
+	const auto add = [&sum](double value)
+	{
+		uint64_t bits;
+		memcpy(&bits, &value, sizeof bits);
+		sum = (sum ^ bits) * 0x100000001B3ull;
+		sum ^= sum >> 29;
+	};
+	const btCollisionObjectArray& objects = world.bullet().getCollisionObjectArray();
+	for (int i = 0; i < objects.size(); ++i)
+		if (const btRigidBody* const body = btRigidBody::upcast(objects[i]))
+		{
+			for (int k = 0; k < 3; ++k)
+			{
+				add(double(body->getCenterOfMassPosition()[k]));
+				add(double(body->getLinearVelocity()[k]));
+				add(double(body->getAngularVelocity()[k]));
+				for (int c = 0; c < 3; ++c)
+					add(double(body->getWorldTransform().getBasis()[k][c]));
+			}
+			add(body->getActivationState());
+		}
+	for (btElasticPlasticJoint* joint : world.joints())
+	{
+		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+		{
+			add(double(joint->getForce(dof)));
+			add(double(joint->getPlasticPath(dof)));
+		}
+		add(joint->getWork());
+		add(joint->isBroken());
+	}
+	add(world.action().getNumBroken());
+	add(world.bullet().getNumConstraints());
+	return sum;
+}
+
+/// Two weak cantilevers above a ground, a stack, boxes that fall on all of it, and one of Bullet's own constraints. Joints break and are
+/// repaired, bodies fall asleep and are woken.
+struct Collapse
+{
+	World m_world;
+	std::vector<btRigidBody*> m_bodies;
+	int m_step = 0, m_numBreaks = 0;
+
+	explicit Collapse(Solver solver) : m_world(solver)
+	{
+		btCollisionShape* const cube = m_world.box(btVector3(1, 1, 1));
+		m_world.body(0, m_world.box(btVector3(100, 1, 100)), at(0, -1));
+		for (int c = 0; c < 2; ++c)
+		{
+			btRigidBody* last = m_world.body(0, cube, at(0, 4, 3 * c));
+			for (int i = 1; i <= 4; ++i)
+			{
+				btRigidBody* const next = body(100, cube, at(btScalar(1.02 * i), 4, 3 * c));
+				btElasticPlasticCapacity capacity;
+				for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+					capacity.set(dof, btScalar(1e6), btScalar(dof < 3 ? 2e4 : 7e3), btScalar(0.02));
+				m_world.joint(*last, *next, at(btScalar(1.02 * i - 0.51), 4, 3 * c), capacity);
+				last = next;
+			}
+		}
+		for (int i = 0; i < 4; ++i)
+			body(50, cube, at(3, btScalar(0.1 + 1.01 * i), 8));
+		for (int i = 0; i < 6; ++i)
+			body(20, cube, at(btScalar(0.7 * i), btScalar(6 + 1.3 * i), btScalar(0.5 * i)));
+		btRigidBody &a = *body(30, cube, at(-3, 2, 0)), &b = *body(30, cube, at(-4, 2, 0));
+		m_world.add(new btPoint2PointConstraint(a, b, btVector3(btScalar(-0.5), 0, 0), btVector3(btScalar(0.5), 0, 0)));
+		m_world.allowSleep(btScalar(0.8));
+	}
+
+	btRigidBody* body(btScalar mass, btCollisionShape* shape, const btTransform& pose)
+	{
+		m_bodies.push_back(m_world.body(mass, shape, pose));
+		return m_bodies.back();
+	}
+
+	void step()
+	{
+		++m_step;
+		const std::vector<btElasticPlasticJoint*> joints = m_world.joints();
+		if (m_step == 70 || m_step == 110)
+			for (btElasticPlasticJoint* joint : joints)
+				m_numBreaks += m_world.action().repair(joint);
+		if (m_step == 90)
+			m_bodies[0]->applyCentralImpulse(btVector3(300, 200, 0));
+		if (m_step == 100)
+		{
+			btElasticPlasticCapacity weaker = joints[5]->getCapacity();
+			weaker.scaleYield(btScalar(0.5));
+			joints[5]->setCapacity(weaker);
+		}
+		if (m_step % 2 == 0)
+			m_world.bullet().stepSimulation(FRAME, 0);
+		else
+			// It leaves a part of a step for the next time.
+			m_world.bullet().stepSimulation(FRAME, 3, btScalar(1) / 84);
+	}
+
+	std::vector<uint64_t> run(int last)
+	{
+		std::vector<uint64_t> hashes;
+		while (m_step < last)
+		{
+			step();
+			hashes.push_back(hash(m_world));
+		}
+		return hashes;
+	}
+};
+
+/// \return the first step after the snapshot in which the bits differ, -1: none
+int firstDifference(const std::vector<uint64_t>& expected, const std::vector<uint64_t>& actual)
+{
+	for (size_t i = 0; i < expected.size(); ++i)
+		if (i >= actual.size() || expected[i] != actual[i])
+			return int(i);
+	return -1;
+}
+
+TEST(Snapshot, GoesOnWithTheSameBits)
+{
+	const int END = 180;
+	for (Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+		for (int first : {0, 3, 40, 75, 105, 140})
+		{
+			const std::string which = "solver " + std::to_string(int(solver)) + ", saved at " + std::to_string(first);
+			Collapse scene(solver), untouched(solver), other(solver), elsewhere(solver);
+			untouched.run(first);
+			const std::vector<uint64_t> expected = untouched.run(END);
+			EXPECT_GT(untouched.m_numBreaks, 3) << which;
+			scene.run(first);
+			const Bytes snapshot = save(scene.m_world);
+			EXPECT_EQ(-1, firstDifference(expected, scene.run(END))) << which;
+			ASSERT_FALSE(restore(scene.m_world, snapshot)) << which;
+			EXPECT_EQ(snapshot, save(scene.m_world)) << which;
+			scene.m_step = first;
+			EXPECT_EQ(-1, firstDifference(expected, scene.run(END))) << which << ", in the same world";
+			ASSERT_FALSE(restore(other.m_world, snapshot)) << which;
+			other.m_step = first;
+			EXPECT_EQ(-1, firstDifference(expected, other.run(END))) << which << ", in a new world";
+			elsewhere.run(120);
+			ASSERT_FALSE(restore(elsewhere.m_world, snapshot)) << which;
+			elsewhere.m_step = first;
+			EXPECT_EQ(-1, firstDifference(expected, elsewhere.run(END))) << which << ", in a world at another time";
+		}
+}
+
+TEST(Snapshot, KeepsUnreadEvents)
+{
+	Collapse scene(Solver::Direct), other(Solver::Direct);
+	scene.run(60);
+	const Bytes snapshot = save(scene.m_world);
+	ASSERT_FALSE(restore(other.m_world, snapshot));
+	EXPECT_EQ(scene.m_world.action().getTime(), other.m_world.action().getTime());
+	const std::vector<btElasticPlasticJoint*> joints[2] = {scene.m_world.joints(), other.m_world.joints()};
+	btElasticPlasticEvent a, b;
+	int count = 0;
+	for (; scene.m_world.action().popEvent(a); ++count)
+	{
+		ASSERT_TRUE(other.m_world.action().popEvent(b));
+		EXPECT_EQ(std::find(joints[0].begin(), joints[0].end(), a.m_joint) - joints[0].begin(),
+				  std::find(joints[1].begin(), joints[1].end(), b.m_joint) - joints[1].begin());
+		EXPECT_EQ(a.m_type, b.m_type);
+		EXPECT_EQ(a.m_dof, b.m_dof);
+		EXPECT_EQ(a.m_time, b.m_time);
+		EXPECT_EQ(a.m_energy, b.m_energy);
+		EXPECT_EQ(a.m_position, b.m_position);
+		EXPECT_EQ(&b.m_joint->getConstraint().getRigidBodyA(), b.m_bodyA);
+	}
+	EXPECT_GT(count, 0);
+	EXPECT_FALSE(other.m_world.action().popEvent(b));
+}
+
+TEST(Snapshot, RefusesWhatIsNone)
+{
+	Collapse scene(Solver::Direct);
+	scene.run(60);
+	const Bytes snapshot = save(scene.m_world);
+	scene.run(80);
+	const Bytes now = save(scene.m_world);
+	const auto mustRefuse = [&](const Bytes& bytes, const std::string& what)
+	{
+		EXPECT_TRUE(restore(scene.m_world, bytes)) << what;
+		EXPECT_EQ(now, save(scene.m_world)) << what;
+	};
+	for (size_t size = 0; size < snapshot.size(); size += 1 + snapshot.size() / 100)
+		mustRefuse(Bytes(snapshot.begin(), snapshot.begin() + long(size)), std::to_string(size) + " bytes of it");
+	Bytes longer = snapshot;
+	longer.push_back(0);
+	mustRefuse(longer, "a byte too many");
+	std::mt19937 random(1);
+	for (int i = 0; i < 200; ++i)
+	{
+		Bytes broken = snapshot;
+		const size_t place = i < 16 ? size_t(i) : random() % broken.size();
+		broken[place] = static_cast<unsigned char>(broken[place] ^ (1u << random() % 8));
+		mustRefuse(broken, "a bit changed in byte " + std::to_string(place));
+	}
+	const auto mustNotFit = [&](World& world, const char* what)
+	{
+		const btElasticPlasticFault fault = restore(world, snapshot);
+		ASSERT_TRUE(fault);
+		EXPECT_STREQ(what, fault.m_quantity);
+	};
+	Collapse more(Solver::Direct), heavier(Solver::Direct), joined(Solver::Direct);
+	more.body(1, more.m_world.box(btVector3(1, 1, 1)), at(50, 50));
+	mustNotFit(more.m_world, "number of collision objects in the world");
+	heavier.m_bodies[3]->setMassProps(7, btVector3(1, 1, 1));
+	mustNotFit(heavier.m_world, "inverse mass of a body [1/kg]");
+	joined.m_world.joint(*joined.m_bodies[8], *joined.m_bodies[9], at(0), evenCapacity(1e6));
+	mustNotFit(joined.m_world, "number of joints that the action knows");
+	// A buffer that is too small gets none.
+	Bytes small(snapshot.size() - 1, 7);
+	EXPECT_EQ(int(now.size()), btElasticPlasticSave(scene.m_world.bullet(), broadphaseOf(scene.m_world),
+													scene.m_world.action(), small.data(), int(small.size())));
+	EXPECT_TRUE(restore(scene.m_world, small));
+	EXPECT_EQ(0, btElasticPlasticSave(scene.m_world.bullet(), broadphaseOf(more.m_world), scene.m_world.action(),
+									  nullptr, 0));
+}
+
+/// A wall of joined blocks that stands on a static beam: 500 joints.
+struct Wall
+{
+	World m_world;
+
+	Wall() : m_world(Solver::Direct)
+	{
+		const int width = 20, height = 13;
+		btCollisionShape* const cube = m_world.box(btVector3(1, 1, 1));
+		std::vector<btRigidBody*> below(width, nullptr), row(width, nullptr);
+		for (int y = 0; y < height; ++y, below = row)
+			for (int x = 0; x < width; ++x)
+			{
+				row[size_t(x)] = m_world.body(y == 0 ? 0 : 100, cube, at(x, y), false);
+				if (y > 0)
+					m_world.joint(*below[size_t(x)], *row[size_t(x)], at(x, y - 0.5), evenCapacity(1e8, 3e4));
+				if (x > 0 && y > 0)
+					m_world.joint(*row[size_t(x - 1)], *row[size_t(x)], at(x - 0.5, y), evenCapacity(1e8, 3e4));
+			}
+		row[0]->applyCentralImpulse(btVector3(3000, 0, 2000));
+	}
+};
+
+double threadTime()
+{
+	timespec now;
+	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+	return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+TEST(Snapshot, TakesNoLongerThanSteps)
+{
+	Wall wall;
+	ASSERT_EQ(468u, wall.m_world.joints().size());
+	run(wall.m_world, 5);
+	double steps = 1e9, rollback = 1e9;
+	for (int i = 0; i < 5; ++i)
+	{
+		const Bytes snapshot = save(wall.m_world);
+		run(wall.m_world, 5);
+		double begin = threadTime();
+		run(wall.m_world, 3);
+		steps = std::min(steps, threadTime() - begin);
+		begin = threadTime();
+		EXPECT_FALSE(restore(wall.m_world, snapshot));
+		rollback = std::min(rollback, threadTime() - begin);
+		run(wall.m_world, 1);
+	}
+	EXPECT_LT(rollback, steps);
+}
+
+TEST(Snapshot, LargeStructuresGoOnWithTheSameBits)
+{
+	Wall wall, other;
+	run(wall.m_world, 10);
+	const Bytes snapshot = save(wall.m_world);
+	// Poses, velocities, state and capacity, the broadphase's nodes: for each block with its two joints.
+	EXPECT_LT(snapshot.size(), 468 * byPrecision(1300, 700));
+	std::vector<uint64_t> expected, again, elsewhere;
+	for (int i = 0; i < 20; ++i)
+	{
+		run(wall.m_world, 1);
+		expected.push_back(hash(wall.m_world));
+	}
+	ASSERT_FALSE(restore(wall.m_world, snapshot));
+	ASSERT_FALSE(restore(other.m_world, snapshot));
+	for (int i = 0; i < 20; ++i)
+	{
+		run(wall.m_world, 1);
+		again.push_back(hash(wall.m_world));
+		run(other.m_world, 1);
+		elsewhere.push_back(hash(other.m_world));
+	}
+	EXPECT_EQ(-1, firstDifference(expected, again));
+	EXPECT_EQ(-1, firstDifference(expected, elsewhere));
+}
+}  // namespace
