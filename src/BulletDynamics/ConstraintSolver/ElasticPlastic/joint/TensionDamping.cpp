@@ -13,28 +13,52 @@ namespace
 const btScalar RESOLVED = 1;
 /// Of z at which damping has to grow, a quarter of what a row of equal blocks bears.
 const btScalar LIMIT = 20;
+/// Of g in the inertia about the line, below which spin grows by less than a ten thousandth in a step: the force is within some
+/// hundredths of a radian along the arm.
+const btScalar SLIGHT = btScalar(0.01);
+
+bool moves(const btRigidBody& body) { return body.getInvMass() > 0 && !body.isKinematicObject(); }
+
+/// [1 / (kg m^2)], 0 of what does not move
+btScalar mobilityAbout(const btRigidBody& body, const btVector3& axis)
+{
+	return moves(body) ? axis.dot(body.getInvInertiaTensorWorld() * axis) : btScalar(0);
+}
 
 /// How easily two equal bodies, both like the one that turns less easily, would turn against each other about an axis
 /// [1 / (kg m^2)].
 btScalar mobilityAbout(const btRigidBody& a, const btRigidBody& b, const btVector3& axis)
 {
-	return 2 * btMin(axis.dot(a.getInvInertiaTensorWorld() * axis), axis.dot(b.getInvInertiaTensorWorld() * axis));
+	return 2 * btMin(mobilityAbout(a, axis), mobilityAbout(b, axis));
+}
+
+/// What the joint's own rows bear of a turn about an axis: their stiffness, or what yields within a radian [N m].
+btScalar stiffnessAbout(const JointModel& model, const Kinematics& k, const btVector3& axis)
+{
+	btScalar sum = 0;
+	for (int dof = BT_EP_TORSION; dof < BT_EP_DOF_COUNT; ++dof)
+	{
+		const btElasticPlasticCapacity& capacity = model.m_capacity;
+		if (!model.isElasticPlastic(dof))
+			continue;
+		const btScalar share = axis.dot(k.m_axis[dof - 3]), yield = capacity.m_yield[dof];
+		sum += share * share * (capacity.isRigidPlastic(dof) ? yield : btMin(yield, capacity.m_stiffness[dof]));
+	}
+	return sum;
 }
 }  // namespace
 
-TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, btScalar dt)
+void TensionDamping::add(const btVector3& axis, btScalar factor) { m_row[m_numRows++] = {axis, factor}; }
+
+void TensionDamping::addAcross(const JointModel& model, const Kinematics& k, const btVector3& force, btScalar dt)
 {
-	TensionDamping damping;
 	const btRigidBody &A = model.bodyA(), &B = model.bodyB();
-	if (A.getInvMass() == 0 || B.getInvMass() == 0 || A.isKinematicObject() || B.isKinematicObject())
-		return damping;
+	if (!moves(A) || !moves(B))
+		return;
 	const btVector3 chord = k.m_rA - k.m_rB;
 	const btScalar length = chord.length();
-	if (!(length > 0))
-		return damping;
 	const btVector3 along = chord / length;
-	const btScalar *const force = model.m_state.m_force, armA = k.m_rA.dot(along), armB = -k.m_rB.dot(along);
-	const btScalar tension = (k.m_axis[0] * force[0] + k.m_axis[1] * force[1] + k.m_axis[2] * force[2]).dot(along);
+	const btScalar armA = k.m_rA.dot(along), armB = -k.m_rB.dot(along), tension = force.dot(along);
 	// Where shear and bending are coupled, bodies turn about the middle of what is elastic as long as bending does not flow.
 	btScalar leverage = btMax(btScalar(0), armA) * btMax(btScalar(0), armB);
 	for (int shear = BT_EP_SHEAR_Y; shear <= BT_EP_SHEAR_Z; ++shear)
@@ -43,13 +67,41 @@ TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, 
 		btSetMax(leverage, btMax(btScalar(0), armA + shift) * btMax(btScalar(0), armB - shift));
 	}
 	if (!(tension > 0 && leverage > 0))
-		return damping;
+		return;
 	const btScalar stiffness = tension * leverage / length;
-	btPlaneSpace1(along, damping.m_across[0], damping.m_across[1]);
-	const btScalar mobility = btMax(mobilityAbout(A, B, damping.m_across[0]), mobilityAbout(A, B, damping.m_across[1]));
+	btVector3 across[2];
+	btPlaneSpace1(along, across[0], across[1]);
+	const btScalar mobility = btMax(mobilityAbout(A, B, across[0]), mobilityAbout(A, B, across[1]));
 	const btScalar z = 2 * stiffness * dt * dt * mobility;
-	if (z > RESOLVED && btElasticPlasticIsFinite(z))
-		damping.m_factor = stiffness * dt * dt * btMax(btScalar(1), z / LIMIT);
+	if (!(z > RESOLVED && btElasticPlasticIsFinite(z)))
+		return;
+	for (const btVector3& axis : across)
+		add(axis, stiffness * dt * dt * btMax(btScalar(1), z / LIMIT));
+}
+
+void TensionDamping::addAlong(const JointModel& model, const Kinematics& k, const btVector3& force, btScalar dt)
+{
+	const btRigidBody &A = model.bodyA(), &B = model.bodyB();
+	const btScalar swing =
+		A.getAngularVelocity().cross(k.m_rA).length() + B.getAngularVelocity().cross(k.m_rB).length();
+	const btScalar factor = dt * dt * dt * force.length() * swing / 4;
+	if (!(factor > 0))
+		return;
+	const btVector3 along = (k.m_rA - k.m_rB).normalized();
+	const btScalar share = factor * btMax(mobilityAbout(A, along), mobilityAbout(B, along));
+	if (share > SLIGHT && btElasticPlasticIsFinite(share) && stiffnessAbout(model, k, along) * dt * dt < factor)
+		add(along, factor);
+}
+
+TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, btScalar dt)
+{
+	TensionDamping damping;
+	if (!((k.m_rA - k.m_rB).length2() > 0))
+		return damping;
+	const btScalar* const force = model.m_state.m_force;
+	const btVector3 sum = k.m_axis[0] * force[0] + k.m_axis[1] * force[1] + k.m_axis[2] * force[2];
+	damping.addAcross(model, k, sum, dt);
+	damping.addAlong(model, k, sum, dt);
 	return damping;
 }
 }  // namespace btElasticPlastic

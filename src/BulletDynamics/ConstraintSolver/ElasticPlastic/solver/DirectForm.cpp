@@ -158,7 +158,7 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 								   wA - wB};
 	const double most = joint.m_model.m_constraint.getBreakingImpulseThreshold();
 	Joint entry = {
-		&joint, m_input.getNumRows(), {addBody(solverBodies[0], pools), addBody(solverBodies[1], pools)}, -1, false};
+		&joint, m_input.getNumRows(), {addBody(solverBodies[0], pools), addBody(solverBodies[1], pools)}, 0, 0, false};
 	const bool isUnit = isFree(A) && isFree(B);
 	if (isUnit)
 		addUnit(rows, entry.m_bodies);
@@ -178,9 +178,10 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 		m_input.m_guess[entry.m_firstRow + r].m_bound = from.m_bound;
 		entry.m_isCut |= row.m_lower > lower || row.m_upper < upper;
 	}
-	if (isUnit && rows.m_damping.m_factor > 0)
+	if (isUnit)
 	{
 		entry.m_firstDamping = m_input.getNumSingleRows();
+		entry.m_numDamping = rows.m_damping.m_numRows;
 		addDamping(rows.m_damping, velocity[1], entry.m_bodies);
 	}
 	m_joints.push_back(entry);
@@ -206,8 +207,9 @@ void DirectForm::addUnit(const JointRows& rows, const int bodies[2])
 /// \param spin  relative, with external torques
 void DirectForm::addDamping(const TensionDamping& damping, const btVector3& spin, const int bodies[2])
 {
-	for (const btVector3& axis : damping.m_across)
+	for (int r = 0; r < damping.m_numRows; ++r)
 	{
+		const btVector3& axis = damping.m_row[r].m_axis;
 		SystemInput::SingleRow& row = m_input.addSingleRow();
 		for (int i = 0; i < 3; ++i)
 		{
@@ -217,7 +219,7 @@ void DirectForm::addDamping(const TensionDamping& damping, const btVector3& spin
 		}
 		row.m_body[0] = bodies[0];
 		row.m_body[1] = bodies[1];
-		m_input.m_rows[size_t(row.m_row)] = {-double(spin.dot(axis)), 1 / double(damping.m_factor), -UNBOUNDED,
+		m_input.m_rows[size_t(row.m_row)] = {-double(spin.dot(axis)), 1 / double(damping.m_row[r].m_factor), -UNBOUNDED,
 											 UNBOUNDED};
 	}
 }
@@ -653,7 +655,7 @@ void DirectForm::writeResult(const SolverPools& pools, const btContactSolverInfo
 btVector3 DirectForm::dampingImpulse(const Joint& joint) const
 {
 	btVector3 sum(0, 0, 0);
-	for (int r = joint.m_firstDamping; r < joint.m_firstDamping + 2; ++r)
+	for (int r = joint.m_firstDamping; r < joint.m_firstDamping + joint.m_numDamping; ++r)
 	{
 		const SystemInput::SingleRow& row = m_input.m_singleRows[size_t(r)];
 		sum += btVector3(btScalar(row.m_J[3]), btScalar(row.m_J[4]), btScalar(row.m_J[5])) *
@@ -690,7 +692,7 @@ void DirectForm::finish()
 			giveRecovery(joint);
 		if (m_system.isCut())
 			joint.m_works->m_step.setCut();
-		if (joint.m_firstDamping >= 0)
+		if (joint.m_numDamping > 0)
 			joint.m_works->m_step.setDampingImpulse(dampingImpulse(joint));
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),
 								   joint.m_isCut ? BETWEEN : m_system.getBounds(joint.m_firstRow));

@@ -55,9 +55,9 @@ private:
 	struct Joint
 	{
 		JointWorks* m_works;
-		int m_firstRow;      ///< of the system
-		int m_bodies[2];     ///< of the system, -1: does not move
-		int m_firstDamping;  ///< single row of its tension damping, which has two; -1: none
+		int m_firstRow;                    ///< of the system
+		int m_bodies[2];                   ///< of the system, -1: does not move
+		int m_firstDamping, m_numDamping;  ///< single rows of its tension damping
 		bool m_isCut;  ///< whether Bullet's breaking threshold has replaced a bound; a row at this bound does not flow
 	};
 
