@@ -517,7 +517,9 @@ TEST(HardInput, StatesThatCannotBe)
 	changes.push_back([](State s) { s.m_plasticRotation = btQuaternion(0, 0, 0, 2); });
 	changes.push_back([](State s) { s.m_plasticMiddle = btQuaternion(0, 0, 0, 0); });
 
+	Refusals refusals;
 	Pair pair(Solver::Direct, 0, 12, btVector3(0, -10, 0));
+	pair.m_world.action().setListener(&refusals);
 	btElasticPlasticJoint* joint = pair.join(evenCapacity(1e6, 100));
 	run(pair.m_world, 10);
 	ASSERT_TRUE(joint->hasYielded());
@@ -545,6 +547,7 @@ TEST(HardInput, StatesThatCannotBe)
 		EXPECT_TRUE(before.m_plasticMiddle == after.m_plasticMiddle);
 	}
 	EXPECT_TRUE(joint->setState(before));
+	EXPECT_EQ(int(changes.size()), refusals.m_count);
 }
 
 /// A support and six cubes in a row; the last one is spoilt.

@@ -35,6 +35,11 @@ void btElasticPlasticAction::removeBody(btDynamicsWorld& world, btRigidBody& bod
 	m_registry->removeBody(world, body);
 }
 
+bool btElasticPlasticAction::breakJoint(btDynamicsWorld& world, btElasticPlasticJoint* joint)
+{
+	return m_registry->breakJoint(world, *joint->m_works);
+}
+
 bool btElasticPlasticAction::repair(btElasticPlasticJoint* joint) { return m_registry->repair(*joint->m_works); }
 
 int btElasticPlasticAction::getNumJoints() { return m_registry->getNumJoints(); }

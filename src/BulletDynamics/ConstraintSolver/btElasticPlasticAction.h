@@ -39,8 +39,16 @@ public:
 	/// Forgets a joint and its events. It stays in the world if it is not broken, but does nothing there any more.
 	void removeJoint(btElasticPlasticJoint* joint);
 
-	/// Takes a body and all its constraints out of the world, elastic-plastic or not, and forgets its joints.
+	/// Takes a body and all its constraints out of the world, elastic-plastic or not, and forgets its joints, broken ones too.
+	/// Delete the joints, or at least do nothing with them any more, before you delete the body: Bullet's removeConstraint would look
+	/// for a body that is gone.
 	void removeBody(btDynamicsWorld& world, btRigidBody& body);
+
+	/// Breaks a joint on purpose, as if its ductility were spent: it leaves the world, its bodies wake and collide again, and the break
+	/// is told, to a listener before this returns (if a listener calls it, right after that). Its damage stays as it is.
+	/// To be called between steps, or by a listener that is told of events.
+	/// \return false, and nothing happens, if the joint is broken, not known here, or not in the world
+	bool breakJoint(btDynamicsWorld& world, btElasticPlasticJoint* joint);
 
 	/// Puts a broken joint back into its world as new: no force, no plastic deformation, no damage, at the bodies' present pose.
 	/// \return false if the joint is not broken or not known here, or a body of it that moves is in no world.

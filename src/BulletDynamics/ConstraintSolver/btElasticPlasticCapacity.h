@@ -52,8 +52,9 @@ struct btElasticPlasticCapacity
 	/// Takes a degree of freedom out: no row, no cost.
 	void clear(int dof);
 
-	/// Multiplies all yield values (a weakened joint: factor < 1). Must be finite and not negative; 0 takes all degrees of
-	/// freedom out, the joint no longer holds anything.
+	/// Multiplies all yield values (a weakened joint: factor < 1). Must be finite and not negative. 0 takes all degrees of freedom out: a
+	/// joint with this capacity lets go without an event, stays in the world and is not broken; when it gets yield values again it holds
+	/// at the pose that its bodies have then. See btElasticPlasticAction::breakJoint to break one.
 	void scaleYield(btScalar factor);
 
 	/// False for what is no degree of freedom.

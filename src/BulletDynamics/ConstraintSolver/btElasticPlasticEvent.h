@@ -13,7 +13,7 @@ class btRigidBody;
 enum btElasticPlasticEventType
 {
 	BT_EP_EVENT_YIELD,  ///< it flowed for the first time
-	BT_EP_EVENT_BREAK   ///< its ductility is spent; it has left the world
+	BT_EP_EVENT_BREAK   ///< its ductility is spent, or it was broken on purpose; it has left the world
 };
 
 /// An event. The bodies it points to may have been deleted when it is read from the queue.
@@ -34,8 +34,8 @@ struct alignas(16) btElasticPlasticEvent
 };
 
 /// Derive from it to hear of events; give it to btElasticPlasticAction::setListener.
-/// All methods are called at the end of the action's update, when the substep's bookkeeping is done: joints, bodies,
-/// constraints and the action may be added, removed and deleted there.
+/// All methods are called at the end of the action's update, when the substep's bookkeeping is done, or from
+/// btElasticPlasticAction::breakJoint: joints, bodies, constraints and the action may be added, removed and deleted there.
 class btElasticPlasticListener
 {
 public:
@@ -44,8 +44,8 @@ public:
 	virtual void onBreak(const btElasticPlasticEvent&) {}
 
 	/// A joint was refused; text names it, the value and the valid range. Called from btElasticPlasticAction::addJoint, from
-	/// btElasticPlasticJoint::setCapacity of a joint that the action knows, and, once a fault, while the world is stepped: leave
-	/// bodies and joints as they are here.
+	/// btElasticPlasticJoint::setCapacity of a joint that the action knows, from btElasticPlasticJoint::setState, and, once a fault,
+	/// while the world is stepped: leave bodies and joints as they are here.
 	/// The default prints the text to the standard error output. So it is without a listener, and for joints that no action knows.
 	virtual void onRefused(btElasticPlasticJoint& joint, const char* text);
 

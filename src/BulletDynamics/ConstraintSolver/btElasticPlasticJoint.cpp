@@ -75,21 +75,12 @@ void btElasticPlasticJoint::setReferenceToCurrentPose()
 	m_works->m_step.revert();
 }
 
-bool btElasticPlasticJoint::setState(const btElasticPlasticState& state)
-{
-	if (!m_works->m_model.accepts(state))
-		return false;
-	btElasticPlasticState& own = m_works->m_model.m_state;
-	const bool broken = own.m_broken;
-	own = state;
-	own.m_broken = broken;
-	return true;
-}
+bool btElasticPlasticJoint::setState(const btElasticPlasticState& state) { return m_works->setState(state); }
 
 // ---- readings
 
 const btElasticPlasticState& btElasticPlasticJoint::getState() const { return m_works->m_model.m_state; }
-const btElasticPlasticFault& btElasticPlasticJoint::fault() const { return m_works->m_model.m_fault; }
+const btElasticPlasticFault& btElasticPlasticJoint::fault() const { return m_works->getFault(); }
 bool btElasticPlasticJoint::hasYielded() const { return getState().m_yielded; }
 bool btElasticPlasticJoint::isBroken() const { return getState().m_broken; }
 btTypedConstraint& btElasticPlasticJoint::getConstraint() { return m_works->m_model.m_constraint; }

@@ -107,17 +107,23 @@ public:
 	bool hasYielded() const;
 	bool isBroken() const;
 
-	/// What keeps the joint out of the simulation, false if nothing does.
+	/// What keeps the joint out of the simulation, false if nothing does: a fault of its capacity, frames or bodies, until it is set
+	/// anew or added again; or what has kept it out of the last substep, as a body that is in no world or not finite.
 	const btElasticPlasticFault& fault() const;
 
-	/// "joint 'name' (id i) at (x, y, z): quantity is value; it must be range", always terminated.
+	/// "joint 'name' (id i) at (x, y, z): quantity is value; it must be range", always terminated. The name is that of setName(), the
+	/// id that of btTypedConstraint::setUserConstraintId(); what is not set is left out.
 	void printFault(char* text, int capacity) const;
 
 	const btElasticPlasticState& getState() const;
-	/// Whether the joint is broken stays as it is: to go back to before a break, btElasticPlasticAction::repair the joint
-	/// first, then set the state.
-	/// \return false, and the joint stays as it is, if a number in it is not finite, a rotation not of unit length, a force
-	/// beyond the joint's yield value, or a path, an energy or the step negative
+	/// Puts a state back, of this joint or of its like in another world. It does not move bodies: put them back, too, and their
+	/// velocities and sleep.
+	/// A joint that the state makes broken bears nothing from now on, and leaves its world at the end of the next substep, without an
+	/// event; until then its bodies do not collide, if they did not while it held. One that the state makes hold again goes back
+	/// into its world.
+	/// \return false, with a message to the listener, and the joint stays as it is, if a number in it is not finite, a rotation not of unit length, a force
+	/// beyond the joint's yield value, a path, an energy or the step negative, or if the joint is to go back into its world and a body
+	/// of it is in none
 	bool setState(const btElasticPlasticState& state);
 
 	btTypedConstraint& getConstraint();

@@ -30,7 +30,7 @@ struct btElasticPlasticStatistics
 	/// kept their velocities, and their joints their state.
 	long long m_notFinite = 0;
 
-	// Where the time went, of all threads together [s].
+	// Where the time went, of all threads together [s], by the wall clock: on a loaded machine that of others is in it. m_work is not.
 	double m_setUpTime = 0;     ///< joints' rows
 	double m_analysisTime = 0;  ///< the graph, known or new
 	double m_assemblyTime = 0;  ///< the matrix

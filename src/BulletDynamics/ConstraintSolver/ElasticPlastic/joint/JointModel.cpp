@@ -103,26 +103,54 @@ bool isRotation(const btQuaternion& q)
 {
 	return btElasticPlasticIsFinite(q.length2()) && btFabs(q.length2() - 1) < FRAME_TOLERANCE;
 }
+
+btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
+{
+	const struct
+	{
+		const char* m_name;
+		const btScalar* m_values;
+		int m_count;
+	} arrays[] = {{"the state's force", state.m_force, BT_EP_DOF_COUNT},
+				  {"the state's rate of force", state.m_forceRate, BT_EP_DOF_COUNT},
+				  {"the state's applied force", state.m_applied, BT_EP_DOF_COUNT},
+				  {"the state's plastic deformation", state.m_plastic, BT_EP_DOF_COUNT},
+				  {"the state's plastic path", state.m_plasticPath, BT_EP_DOF_COUNT},
+				  {"the state's withheld deformation", state.m_withheld, BT_EP_DOF_COUNT},
+				  {"the state's initial offset", state.m_initial, 3}};
+	for (const auto& array : arrays)
+		for (int i = 0; i < array.m_count; ++i)
+			if (!btElasticPlasticIsFinite(double(array.m_values[i])))
+				return btElasticPlasticFault(array.m_name, array.m_values[i], "finite", i);
+	if (!btElasticPlasticIsFinite(state.m_work))
+		return btElasticPlasticFault("the state's work [J]", btScalar(state.m_work), "finite");
+	return btElasticPlasticFault();
+}
 }  // namespace
 
-bool JointModel::accepts(const btElasticPlasticState& state) const
+btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& state) const
 {
-	if (!isRotation(state.m_plasticRotation) || !isRotation(state.m_plasticMiddle))
-		return false;
-	double sum = state.m_work;
+	const btQuaternion* const rotations[2] = {&state.m_plasticRotation, &state.m_plasticMiddle};
+	for (const btQuaternion* rotation : rotations)
+		if (!isRotation(*rotation))
+			return btElasticPlasticFault("length of one of the state's rotations", rotation->length(), "1");
+	if (const btElasticPlasticFault fault = findNotFinite(state))
+		return fault;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
-		sum += double(state.m_plastic[i]) + double(state.m_withheld[i]) + double(state.m_forceRate[i]) +
-			   double(state.m_applied[i]) + (i < 3 ? double(state.m_initial[i]) : 0.);
 		// A force on the yield value may be rounded to either side of it.
 		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * (1 + 8 * SIMD_EPSILON) : btScalar(0);
-		if (btFabs(state.m_force[i]) > most || state.m_plasticPath[i] < 0)
-			return false;
-		sum += double(state.m_plasticPath[i]) + double(state.m_force[i]);
+		if (btFabs(state.m_force[i]) > most)
+			return btElasticPlasticFault("the state's force", state.m_force[i],
+										 "within the joint's yield value (0 where it is not elastic-plastic)", i);
+		if (state.m_plasticPath[i] < 0)
+			return btElasticPlasticFault("the state's plastic path", state.m_plasticPath[i], "not negative", i);
 	}
-	return btElasticPlasticIsFinite(sum) && state.m_plasticEnergy >= 0 && state.m_lastStep >= 0 &&
-		   state.m_withheldStep >= 0 && btElasticPlasticIsFinite(double(state.m_withheldStep)) &&
-		   btElasticPlasticIsFinite(state.m_plasticEnergy) && btElasticPlasticIsFinite(double(state.m_lastStep));
+	if (!btElasticPlasticIsFinite(state.m_plasticEnergy) || state.m_plasticEnergy < 0)
+		return btElasticPlasticFault("the state's plastic energy [J]", btScalar(state.m_plasticEnergy),
+									 "finite and not negative");
+	const btElasticPlasticFault fault = btElasticPlasticCheckNotNegative("the state's last step [s]", state.m_lastStep);
+	return fault ? fault : btElasticPlasticCheckNotNegative("the state's withheld step [s]", state.m_withheldStep);
 }
 
 void JointModel::takeCapacity(const btElasticPlasticCapacity& former)

@@ -50,8 +50,8 @@ struct JointModel
 	/// What keeps the joint out of the present step: a fault of one of its bodies.
 	btElasticPlasticFault findStepFault() const;
 
-	/// Whether a state is a possible one of this joint.
-	bool accepts(const btElasticPlasticState& state) const;
+	/// \return a fault if a state cannot be one of this joint
+	btElasticPlasticFault findStateFault(const btElasticPlasticState& state) const;
 
 	/// Makes those degrees of freedom elastic-plastic that have a yield value in m_capacity. Those of them that were free
 	/// until now take the present pose for their reference.

@@ -27,6 +27,14 @@ bool keepsFromColliding(btTypedConstraint& constraint)
 			return true;
 	return false;
 }
+
+bool isIn(const btDynamicsWorld& world, const btTypedConstraint& constraint)
+{
+	for (int i = 0; i < world.getNumConstraints(); ++i)
+		if (world.getConstraint(i) == &constraint)
+			return true;
+	return false;
+}
 }  // namespace
 
 void JointRegistry::Entry::setIndex(int index) const { m_joint->m_entry.m_index = index; }
@@ -61,6 +69,7 @@ bool JointRegistry::add(JointWorks& joint)
 	// Bullet's search for islands crashes on a constraint one of whose bodies has never been in the world.
 	joint.setOutOfIslands(bool(missingWorld));
 	joint.forgetUncommitted();
+	joint.forgetStepFault();
 	joint.m_step.revert();
 	if (joint.m_model.m_fault)
 	{
@@ -73,7 +82,8 @@ bool JointRegistry::add(JointWorks& joint)
 		joint.m_entry.m_registry->remove(joint);
 	joint.m_entry.m_registry = this;
 	joint.m_entry.m_number = m_numNumbers++;
-	m_joints.append({&joint, nullptr, false});
+	(joint.m_model.m_state.m_broken ? m_broken : m_joints).append({&joint, nullptr, false});
+	m_hasNew = true;
 	return true;
 }
 
@@ -104,21 +114,51 @@ void JointRegistry::removeJointsOf(const btRigidBody& body, List& list)
 			remove(*list[i].m_joint);
 }
 
-bool JointRegistry::repair(JointWorks& joint)
+bool JointRegistry::breakJoint(btDynamicsWorld& world, JointWorks& joint)
 {
-	if (joint.m_entry.m_registry != this || !isBroken(joint))
+	// One that is not in the world may have bodies that are deleted.
+	if (joint.m_entry.m_registry != this || isBroken(joint) || !isIn(world, joint.m_model.m_constraint))
 		return false;
-	// A body has left its world, or that has been deleted.
+	report(BT_EP_EVENT_BREAK, joint);
+	joint.m_model.m_state.m_broken = true;
+	joint.m_step.revert();
+	moveToBroken(joint);
+	removeBrokenFromWorld(world);
+	joint.m_model.bodyA().activate();
+	joint.m_model.bodyB().activate();
+	// Called by a listener, the event comes after the one that it is being told.
+	if (!m_isDeleted)
+		deliver();
+	return true;
+}
+
+void JointRegistry::moveToBroken(JointWorks& joint)
+{
+	m_joints.remove(joint.m_entry.m_index);
+	m_broken.append({&joint, nullptr, false});
+}
+
+bool JointRegistry::putBack(JointWorks& joint)
+{
+	// A body without a broadphase handle is in no world: it has left its world, or that has been deleted.
 	if (joint.m_model.findMissingWorld())
 		return false;
 	const Entry entry = m_broken[joint.m_entry.m_index];
 	m_broken.remove(joint.m_entry.m_index);
 	endSeparation(joint);
+	if (entry.m_world)
+		entry.m_world->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
+	m_joints.append({&joint, nullptr, false});
+	return true;
+}
+
+bool JointRegistry::repair(JointWorks& joint)
+{
+	if (joint.m_entry.m_registry != this || !isBroken(joint) || !putBack(joint))
+		return false;
 	joint.m_model.m_state = btElasticPlasticState();
 	joint.m_model.setReferenceToCurrentPose();
 	joint.m_step.revert();
-	entry.m_world->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
-	m_joints.append({&joint, nullptr, false});
 	joint.m_model.bodyA().activate();
 	joint.m_model.bodyB().activate();
 	return true;
@@ -167,10 +207,10 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 	m_world = &world;
 	m_joints.closeGaps();
 	m_broken.closeGaps();
-	const int brokenBefore = m_broken.getEnd();
 	commitJoints();
-	removeBrokenFromWorld(world, brokenBefore);
+	removeBrokenFromWorld(world);
 	endSeparations();
+	tellLeftOut(world);
 	deliver();
 }
 
@@ -194,30 +234,37 @@ bool JointRegistry::isStep(btScalar timeStep)
 void JointRegistry::commitJoints()
 {
 	const bool isLarge = m_joints.getEnd() > MANY_JOINTS;
+	m_leftOut.resize(0);
 	for (int i = 0; i < m_joints.getEnd(); ++i)
 	{
 		if (isLarge && i + PREFETCH_AHEAD < m_joints.getEnd())
 			prefetch(*m_joints[i + PREFETCH_AHEAD].m_joint);
 		JointWorks& joint = *m_joints[i].m_joint;
+		const bool wasInStep = joint.m_step.getNumCommittedRows() > 0;
 		const int outcome = joint.commit();
+		if (wasInStep && joint.m_step.getNumCommittedRows() == 0)
+			m_leftOut.push_back(&joint);
 		if (outcome & JointStep::YIELDED)
 			report(BT_EP_EVENT_YIELD, joint);
 		if (outcome & JointStep::BROKE)
 		{
 			report(BT_EP_EVENT_BREAK, joint);
-			m_joints.remove(i);
-			m_broken.append({&joint, nullptr, false});
+			moveToBroken(joint);
 		}
 	}
 }
 
 /// Removes the last constraints first. Bullet fills the gap of a removed constraint with its last one; removed in this order,
 /// the constraints that stay keep their order.
-void JointRegistry::removeBrokenFromWorld(btDynamicsWorld& world, int firstBroken)
+void JointRegistry::removeBrokenFromWorld(btDynamicsWorld& world)
 {
-	for (int i = m_broken.getEnd() - 1; i >= firstBroken; --i)
+	for (int i = m_broken.getEnd() - 1; i >= 0; --i)
 	{
 		Entry& entry = m_broken[i];
+		if (entry.isGap())
+			continue;
+		if (entry.m_world)
+			return;
 		entry.m_world = &world;
 		entry.m_disableCollisions = removeFromWorld(world, *entry.m_joint);
 	}
@@ -227,6 +274,10 @@ void JointRegistry::removeBrokenFromWorld(btDynamicsWorld& world, int firstBroke
 bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 {
 	btTypedConstraint& constraint = joint.m_model.m_constraint;
+	const bool wasInStep = joint.m_step.getNumCommittedRows() > 0;
+	// One that a state has made broken need not be in the world, and then its bodies may be deleted.
+	if (!wasInStep && !isIn(world, constraint))
+		return true;
 	btRigidBody &a = constraint.getRigidBodyA(), &b = constraint.getRigidBodyB();
 	const bool kept = keepsFromColliding(constraint);
 	world.removeConstraint(&constraint);
@@ -235,9 +286,40 @@ bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 		m_token.enter(world);
 		++m_numSeparations;
 	}
-	a.activate();
-	b.activate();
+	if (wasInStep)
+	{
+		a.activate();
+		b.activate();
+	}
 	return kept;
+}
+
+/// Tells of joints that bear nothing because no world asks for them: they were added here, but to no world, or a body of theirs has
+/// left it. One that has been in the world once may have been taken out of it on purpose.
+void JointRegistry::tellLeftOut(const btDynamicsWorld& world)
+{
+	bool isAnyNew = false;
+	for (int i = 0; i < m_joints.getEnd() && m_hasNew; ++i)
+		isAnyNew |= !m_joints[i].isGap() && !m_joints[i].m_joint->hasBeenInWorld();
+	m_hasNew = false;
+	if (!isAnyNew && m_leftOut.size() == 0)
+		return;
+	btHashMap<btHashPtr, int> inWorld;
+	for (int i = 0; i < world.getNumConstraints(); ++i)
+		inWorld.insert(btHashPtr(world.getConstraint(i)), i);
+	const auto isThere = [&](const JointWorks& joint)
+	{ return inWorld.find(btHashPtr(&joint.m_model.m_constraint)) != nullptr; };
+	for (int i = 0; i < m_leftOut.size(); ++i)
+		if (isThere(*m_leftOut[i]))
+			m_leftOut[i]->tellMissingBody();
+	btAlignedObjectArray<JointWorks*> joints;
+	if (isAnyNew)
+		findDrawable(joints);
+	for (int i = 0; i < joints.size(); ++i)
+		if (isThere(*joints[i]))
+			joints[i]->setInWorld();
+		else if (!joints[i]->hasBeenInWorld() && !isBroken(*joints[i]))
+			joints[i]->tellForgotten();
 }
 
 void JointRegistry::endSeparations()

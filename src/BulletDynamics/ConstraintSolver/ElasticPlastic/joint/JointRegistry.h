@@ -31,7 +31,15 @@ public:
 	bool add(JointWorks& joint);
 	void remove(JointWorks& joint);
 	void removeBody(btDynamicsWorld& world, btRigidBody& body);
+	bool breakJoint(btDynamicsWorld& world, JointWorks& joint);
 	bool repair(JointWorks& joint);
+
+	/// Takes a joint that has become broken off those that hold. It leaves its world at the end of the next substep.
+	void moveToBroken(JointWorks& joint);
+
+	/// Puts a broken joint back among those that hold, and into the world that it has left.
+	/// \return false, and nothing changes, if a body of it that moves is in no world
+	bool putBack(JointWorks& joint);
 
 	int getNumJoints() const { return m_joints.getCount() + m_broken.getCount(); }
 	int getNumBroken() const { return m_broken.getCount(); }
@@ -82,7 +90,7 @@ private:
 	struct Entry
 	{
 		JointWorks* m_joint;
-		btDynamicsWorld* m_world;  ///< a broken joint's world, else null
+		btDynamicsWorld* m_world;  ///< that a broken joint has left; null: it holds, or is still where it was
 		bool m_disableCollisions;  ///< between the joint's bodies, while it holds
 
 		void setIndex(int index) const;
@@ -94,7 +102,8 @@ private:
 	bool isBroken(const JointWorks& joint);
 	void removeJointsOf(const btRigidBody& body, List& list);
 	void commitJoints();
-	void removeBrokenFromWorld(btDynamicsWorld& world, int firstBroken);
+	void tellLeftOut(const btDynamicsWorld& world);
+	void removeBrokenFromWorld(btDynamicsWorld& world);
 	bool removeFromWorld(btDynamicsWorld& world, JointWorks& joint);
 	void endSeparations();
 	void endSeparation(JointWorks& joint);
@@ -104,6 +113,8 @@ private:
 
 	List m_joints;  ///< those that hold
 	List m_broken;
+	btAlignedObjectArray<JointWorks*>
+		m_leftOut;  ///< those that hold, and were in the substep before, but not in this one
 	EventQueue m_events;
 	btElasticPlasticListener* m_listener = nullptr;
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
@@ -114,6 +125,7 @@ private:
 	WorldToken m_token;           ///< in the world while there are any
 	bool* m_isDeleted = nullptr;  ///< set by the destructor while events are delivered
 	bool m_isStepTold = false;    ///< whether the listener was told of a bad step
+	bool m_hasNew = false;        ///< whether joints have been added since the last substep
 };
 }  // namespace btElasticPlastic
 

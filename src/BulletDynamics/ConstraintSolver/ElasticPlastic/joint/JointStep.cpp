@@ -308,6 +308,17 @@ void JointStep::limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) c
 	}
 }
 
+/// The share of the step's flow by which the joint's ductility is spent: it bears nothing that comes later. 1: all of it, the joint holds.
+btScalar JointStep::shareUntilBreak(const ReturnMapping mapped[]) const
+{
+	btScalar damage = 0;
+	for (int r = 0; r < m_numRows; ++r)
+		damage += btFabs(mapped[r].m_increment) / m_model.m_capacity.m_ductility[m_row[r].m_dof];
+	// Rounded up, so that the sum is not a little less than 1.
+	const btScalar left = 1 + 8 * SIMD_EPSILON - m_model.damage();
+	return damage > 0 && damage >= left ? btMax(left, btScalar(0)) / damage : btScalar(1);
+}
+
 /// Twice the work of the step's impulses on the bodies: that of each is exactly impulse times mean velocity. It is finite only if all
 /// of them are.
 /// \param velocity1  J v at the end of the step, of all degrees of freedom
@@ -353,6 +364,7 @@ int JointStep::commit()
 		mappedRows[r] = isCut ? mapCut(r) : returnMap(r);
 	if (isCut)
 		limitFlow(work - state.m_work, mappedRows);
+	const btScalar share = shareUntilBreak(mappedRows);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		Row& row = m_row[r];
@@ -364,11 +376,11 @@ int JointStep::commit()
 		unloaded[i] = mapped.m_unloaded - (m_hasRecovery ? m_dt * m_recovery[i] : btScalar(0));
 		if (mapped.m_increment == 0)
 			continue;
-		increment[i] = mapped.m_increment;
-		state.m_plastic[i] += mapped.m_increment;
-		state.m_plasticPath[i] += btFabs(mapped.m_increment);
+		increment[i] = share * mapped.m_increment;
+		state.m_plastic[i] += increment[i];
+		state.m_plasticPath[i] += btFabs(increment[i]);
 		const double force = isCut ? btFabs(double(mapped.m_force)) : double(m_model.m_capacity.m_yield[i]);
-		state.m_plasticEnergy += force * btFabs(double(mapped.m_increment));
+		state.m_plasticEnergy += force * btFabs(double(increment[i]));
 		flowed = true;
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -385,7 +397,7 @@ int JointStep::commit()
 		m_model.turnReference(increment);
 	const int outcome = state.m_yielded ? NOTHING : YIELDED;
 	state.m_yielded = true;
-	state.m_broken = m_model.damage() >= 1;
+	state.m_broken = share < 1 || m_model.damage() >= 1;
 	return state.m_broken ? outcome | BROKE : outcome;
 }
 }  // namespace btElasticPlastic

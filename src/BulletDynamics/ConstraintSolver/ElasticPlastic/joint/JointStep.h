@@ -86,6 +86,9 @@ public:
 	/// Forgets the step: the state stays as it was committed last.
 	void revert() { m_numRows = 0; }
 
+	/// Forgets the last committed step as well.
+	void forget() { m_numRows = m_numCommittedRows = 0; }
+
 	// ---- the last committed step
 
 	int getNumCommittedRows() const { return m_numCommittedRows; }
@@ -122,6 +125,7 @@ private:
 	ReturnMapping returnMap(int r) const;
 	ReturnMapping mapCut(int r) const;
 	void limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
+	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
 	void takeBackKinematicMotion();
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 

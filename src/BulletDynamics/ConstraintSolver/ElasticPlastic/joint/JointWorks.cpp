@@ -65,9 +65,15 @@ void JointWorks::printFault(const btElasticPlasticFault& fault, char* text, int 
 {
 	char what[192];
 	fault.print(what, sizeof what);
+	const int idOfBullet = m_model.m_constraint.getUserConstraintId();
+	char name[48] = "", id[24] = "";
+	if (m_joint.getName()[0] != 0)
+		snprintf(name, sizeof name, " '%s'", m_joint.getName());
+	if (idOfBullet != -1)
+		snprintf(id, sizeof id, " (id %d)", idOfBullet);
 	const btVector3 p = m_joint.getPosition();
-	snprintf(text, size_t(capacity > 0 ? capacity : 0), "joint '%s' (id %d) at (%g, %g, %g): %s", m_joint.getName(),
-			 m_model.m_constraint.getUserConstraintId(), double(p.x()), double(p.y()), double(p.z()), what);
+	snprintf(text, size_t(capacity > 0 ? capacity : 0), "joint%s%s at (%g, %g, %g): %s", name, id, double(p.x()),
+			 double(p.y()), double(p.z()), what);
 }
 
 void JointWorks::tell(const btElasticPlasticFault& fault, JointRegistry* registry)
@@ -93,9 +99,29 @@ void JointWorks::tellFaultOnce()
 		tellFault(m_entry.m_registry);
 }
 
+bool JointWorks::setState(const btElasticPlasticState& state)
+{
+	const bool wasBroken = m_model.m_state.m_broken;
+	JointRegistry* const registry = m_entry.m_registry;
+	btElasticPlasticFault fault = m_model.findStateFault(state);
+	if (!fault && registry && wasBroken && !state.m_broken && !registry->putBack(*this))
+		fault = m_model.findMissingWorld();
+	if (fault)
+	{
+		tell(fault, registry);
+		return false;
+	}
+	if (registry && !wasBroken && state.m_broken)
+		registry->moveToBroken(*this);
+	m_model.m_state = state;
+	m_step.forget();
+	return true;
+}
+
 bool JointWorks::needsRegistry() const
 {
-	return m_model.m_dofs && !m_model.m_fault && (!m_entry.m_registry || m_numUncommitted > 2);
+	const bool holds = m_model.m_dofs && !m_model.m_fault && !m_model.m_state.m_broken;
+	return holds && (!m_entry.m_registry || m_numUncommitted > 2);
 }
 
 /// Refuses a joint that nobody commits: it would be a spring that never yields.
@@ -120,6 +146,7 @@ void JointWorks::buildJacobian()
 int JointWorks::prepare()
 {
 	m_numUncommitted = m_step.getNumRows() > 0 ? m_numUncommitted + 1 : 0;
+	m_hasBeenInWorld = true;
 	m_request = m_nextRequest;
 	m_nextRequest = WHOLE_ROWS;
 	m_step.revert();
@@ -134,11 +161,27 @@ int JointWorks::prepare()
 /// Whether the joint may take part in the present step. If not, the listener is told, once for as long as the fault lasts.
 bool JointWorks::passesGate()
 {
-	const btElasticPlasticFault fault = m_model.findStepFault();
-	if (fault && !m_isStepFaultTold)
+	setStepFault(m_model.findStepFault());
+	return !m_stepFault;
+}
+
+void JointWorks::setStepFault(const btElasticPlasticFault& fault)
+{
+	if (fault && !m_stepFault)
 		tell(fault, m_entry.m_registry);
-	m_isStepFaultTold = bool(fault);
-	return !fault;
+	m_stepFault = fault;
+}
+
+void JointWorks::tellForgotten()
+{
+	setStepFault(
+		btElasticPlasticFault("number of worlds that the joint is in", 0, "1: call btDynamicsWorld::addConstraint"));
+}
+
+void JointWorks::tellMissingBody()
+{
+	if (const btElasticPlasticFault fault = m_model.findMissingWorld())
+		setStepFault(fault);
 }
 
 bool JointWorks::hasBaseRows() const

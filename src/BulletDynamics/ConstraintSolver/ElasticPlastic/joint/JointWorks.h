@@ -108,14 +108,35 @@ public:
 			m_islandId = -m_islandId;
 	}
 
+	/// Whether a world has asked for the joint's rows, or a registry has seen it there.
+	bool hasBeenInWorld() const { return m_hasBeenInWorld; }
+	void setInWorld() { m_hasBeenInWorld = true; }
+
+	/// Tells, once, that the joint is in no world.
+	void tellForgotten();
+
+	/// Tells, once, that a body of it is in no world, if that is so.
+	void tellMissingBody();
+
 	void setFault(const btElasticPlasticFault& fault);
+
+	/// Forgets what kept the joint out of the last step.
+	void forgetStepFault() { m_stepFault = btElasticPlasticFault(); }
 
 	/// Reports m_model.m_fault to a registry's listener or, without a registry, on the standard error output.
 	void tellFault(JointRegistry* registry);
 	/// Reports m_model.m_fault to the joint's own registry, unless it has been reported since it was found.
 	void tellFaultOnce();
 
-	/// "joint 'name' (id i) at (x, y, z): quantity is value; it must be range", always terminated.
+	/// Puts a state back, and the joint with it among those that hold or are broken.
+	/// \return false, and the listener is told why, if it cannot be one of this joint
+	bool setState(const btElasticPlasticState& state);
+
+	/// What keeps the joint out of the simulation until it is set anew, or out of the present step.
+	const btElasticPlasticFault& getFault() const { return m_model.m_fault ? m_model.m_fault : m_stepFault; }
+
+	/// "joint 'name' (id i) at (x, y, z): quantity is value; it must be range", always terminated. Name and id are left out where
+	/// they are not set.
 	void printFault(const btElasticPlasticFault& fault, char* text, int capacity) const;
 
 	btElasticPlasticJoint& m_joint;
@@ -137,6 +158,7 @@ private:
 
 	void request(Request request);
 	bool passesGate();
+	void setStepFault(const btElasticPlasticFault& fault);
 	void tell(const btElasticPlasticFault& fault, JointRegistry* registry);
 	bool needsRegistry() const;
 	void refuseWithoutRegistry();
@@ -145,10 +167,10 @@ private:
 	Request m_nextRequest = WHOLE_ROWS;  ///< of the next one
 	int m_numUncommitted = 0;            ///< number of successive substeps that nobody has committed
 	bool m_isFaultTold = true;
-	bool m_isStepFaultTold =
-		false;                 ///< whether the fault that keeps the joint out of the present step has been reported
-	bool m_isLeftOut = false;  ///< of the present step
+	btElasticPlasticFault m_stepFault;  ///< what keeps the joint out of the present step
+	bool m_isLeftOut = false;           ///< of the present step
 	bool m_isOutOfIslands = false;
+	bool m_hasBeenInWorld = false;
 	StockFeedback m_feedback;
 };
 }  // namespace btElasticPlastic
