@@ -7,14 +7,16 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <thread>
 
+#include "cases/CaseRunner.h"
 #include "page/Page.h"
 #include "page/Pictures.h"
 #include "LinearMath/btScalar.h"
 #include "problems/Catalogue.h"
+#include "collect/Case.h"
 #include "collect/Records.h"
-#include "collect/Runner.h"
 #include "page/Tables.h"
 #include "text/OutputFiles.h"
 
@@ -42,10 +44,7 @@ std::vector<std::string> allProblems()
 /// The programs beside this one, by precision.
 std::map<ep::Precision, std::string> programsBeside(const char* self)
 {
-	std::error_code none;
-	fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
-	if (folder.empty())
-		folder = fs::absolute(self).parent_path();
+	const fs::path folder = ep::programFolder(self);
 	std::map<ep::Precision, std::string> programs;
 	for (const auto& [precision, name] : {std::pair(ep::Precision::Float, "ep-report-case"),
 										  std::pair(ep::Precision::Double, "ep-report-case-float64")})
@@ -56,19 +55,13 @@ std::map<ep::Precision, std::string> programsBeside(const char* self)
 	return programs;
 }
 
-/// "i/n": every n-th case from the i-th, 1 to n.
-std::vector<ep::Case> shardOf(const std::vector<ep::Case>& cases, const std::string& shard)
+/// What computes a case. \param options  for all cases
+ep::CaseJob jobOf(const ep::Case& c, const std::string& program, const std::string& options)
 {
-	if (shard.empty())
-		return cases;
-	int i = 0, n = 0;
-	char rest;
-	if (sscanf(shard.c_str(), "%d/%d%c", &i, &n, &rest) != 2 || n < 1 || i < 1 || i > n)
-		throw std::runtime_error("--shard is '" + shard + "'; it must be i/n with 1 <= i <= n, such as 3/8");
-	std::vector<ep::Case> mine;
-	for (size_t k = i - 1; k < cases.size(); k += n)
-		mine.push_back(cases[k]);
-	return mine;
+	const std::string command = ep::shellWord(program) + " --problem " + ep::shellWord(c.problem) + " --rate " +
+								std::to_string(c.rate) + " --substeps " + std::to_string(c.substeps) + options +
+								" --out ";
+	return {c.name(), c.name() + ".json", [command](const std::string& part) { return command + ep::shellWord(part); }};
 }
 
 std::string processor()
@@ -104,21 +97,23 @@ void checkSettings(const fs::path& out, bool few)
 
 void run(const Options& o, const char* self)
 {
-	ep::RunnerSettings settings;
-	settings.programs = programsBeside(self);
-	settings.folder = (fs::path(o.out) / "cases").string();
-	settings.jobs = o.jobs;
-	settings.quick = o.quick || o.few;
-	settings.repeats = o.repeats > 0 ? o.repeats : o.quick ? 1 : 3;
+	const std::map<ep::Precision, std::string> programs = programsBeside(self);
+	const std::string folder = (fs::path(o.out) / "cases").string();
+	const bool isQuick = o.quick || o.few;
+	const int repeats = o.repeats > 0 ? o.repeats : o.quick ? 1 : 3;
 	std::vector<ep::Precision> precisions;
-	for (const auto& program : settings.programs)
+	for (const auto& program : programs)
 		precisions.push_back(program.first);
 	const std::vector<ep::Case> cases =
-		shardOf(ep::casesOf(o.problems.empty() ? allProblems() : o.problems, precisions, o.quick), o.shard);
-	checkSettings(o.out, settings.quick);
-	const int failed = ep::runCases(cases, settings);
+		ep::casesOf(o.problems.empty() ? allProblems() : o.problems, precisions, o.quick);
+	std::vector<ep::CaseJob> jobs;
+	for (size_t i : ep::shardOf(cases.size(), o.shard))
+		jobs.push_back(jobOf(cases[i], programs.at(cases[i].precision),
+							 " --repeats " + std::to_string(repeats) + (isQuick ? " --quick" : "")));
+	checkSettings(o.out, isQuick);
+	const int failed = ep::runCases(jobs, folder, o.jobs);
 
-	const ep::Records records = ep::readRecords(settings.folder);
+	const ep::Records records = ep::readRecords(folder);
 	const fs::path out(o.out);
 	ep::writeText((out / "report.json").string(), toJson(ep::Record::columns(), records.ofProblems).dump(1) + "\n");
 	ep::writeText((out / "stability.json").string(),
@@ -146,7 +141,7 @@ void run(const Options& o, const char* self)
 					  ep::problemPicture(name, ep::comparedOf(problems.records.at(name))));
 	std::cout << "Report in " << (out / "report.html").string() << "\n";
 	if (failed > 0)
-		throw std::runtime_error(std::to_string(failed) + " cases failed: see the .failed files in " + settings.folder);
+		throw std::runtime_error(std::to_string(failed) + " cases failed: see the .failed files in " + folder);
 }
 }  // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include "collect/Runner.h"
+#include "cases/CaseRunner.h"
 
 #include <sys/wait.h>
 
@@ -22,14 +22,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-std::string quoted(const std::string& text)
-{
-	std::string out = "'";
-	for (const char c : text)
-		out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-	return out + "'";
-}
-
 /// While it waits std::system() keeps the user's interrupt from this program: the case's end tells of it.
 bool isInterrupt(int status)
 {
@@ -43,38 +35,69 @@ enum class End
 	INTERRUPTED
 };
 
-End compute(const Case& c, const RunnerSettings& s)
+End compute(const CaseJob& job, const fs::path& folder)
 {
-	const fs::path file = fs::path(s.folder) / (c.name() + ".json"), part = file.string() + ".part",
-				   failed = fs::path(s.folder) / (c.name() + ".failed");
-	const std::string command = quoted(s.programs.at(c.precision)) + " --problem " + quoted(c.problem) + " --rate " +
-								std::to_string(c.rate) + " --substeps " + std::to_string(c.substeps) + " --repeats " +
-								std::to_string(s.repeats) + (s.quick ? " --quick" : "") + " --out " +
-								quoted(part.string());
-	const int status = std::system(command.c_str());
+	const fs::path product = folder / job.product, part = product.string() + ".part",
+				   failed = folder / (job.name + ".failed");
+	const std::string command = job.command(part.string());
 	std::error_code ignored;
+	fs::remove_all(part, ignored);
+	const int status = std::system(command.c_str());
 	if (status != 0)
 	{
-		fs::remove(part, ignored);
+		fs::remove_all(part, ignored);
 		if (isInterrupt(status))
 			return End::INTERRUPTED;
 		std::ofstream(failed) << command << "\nended with status " << status << "\n";
 		return End::FAILED;
 	}
-	fs::rename(part, file);
+	fs::rename(part, product);
 	fs::remove(failed, ignored);
 	return End::WELL;
 }
 }  // namespace
 
-int runCases(const std::vector<Case>& cases, const RunnerSettings& settings)
+std::string shellWord(const std::string& text)
 {
-	fs::create_directories(settings.folder);
-	std::vector<const Case*> open;
-	for (const Case& c : cases)
-		if (!fs::exists(fs::path(settings.folder) / (c.name() + ".json")))
-			open.push_back(&c);
-	printf("%zu cases, %zu of them computed before\n", cases.size(), cases.size() - open.size());
+	std::string out = "'";
+	for (const char c : text)
+		out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+	return out + "'";
+}
+
+std::vector<size_t> shardOf(size_t cases, const std::string& shard)
+{
+	size_t i = 1, n = 1;
+	int first = 0, step = 0;
+	char rest;
+	if (!shard.empty())
+	{
+		if (sscanf(shard.c_str(), "%d/%d%c", &first, &step, &rest) != 2 || step < 1 || first < 1 || first > step)
+			throw std::runtime_error("--shard is '" + shard + "'; it must be i/n with 1 <= i <= n, such as 3/8");
+		i = size_t(first);
+		n = size_t(step);
+	}
+	std::vector<size_t> mine;
+	for (size_t k = i - 1; k < cases; k += n)
+		mine.push_back(k);
+	return mine;
+}
+
+std::string programFolder(const char* self)
+{
+	std::error_code none;
+	const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
+	return (folder.empty() ? fs::absolute(self).parent_path() : folder).string();
+}
+
+int runCases(const std::vector<CaseJob>& jobs, const std::string& folder, int parallel)
+{
+	fs::create_directories(folder);
+	std::vector<const CaseJob*> open;
+	for (const CaseJob& job : jobs)
+		if (!fs::exists(fs::path(folder) / job.product))
+			open.push_back(&job);
+	printf("%zu cases, %zu of them computed before\n", jobs.size(), jobs.size() - open.size());
 
 	std::atomic<size_t> next{0}, done{0};
 	std::atomic<int> failed{0};
@@ -85,7 +108,7 @@ int runCases(const std::vector<Case>& cases, const RunnerSettings& settings)
 	{
 		for (size_t i; !interrupted && (i = next++) < open.size();)
 		{
-			const End end = compute(*open[i], settings);
+			const End end = compute(*open[i], folder);
 			if (end == End::INTERRUPTED)
 				interrupted = true;
 			if (interrupted)
@@ -94,13 +117,13 @@ int runCases(const std::vector<Case>& cases, const RunnerSettings& settings)
 			const std::lock_guard<std::mutex> lock(output);
 			const double passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 			const size_t n = ++done;
-			printf("[%zu/%zu] %s%s, about %.0f s left\n", n, open.size(), open[i]->name().c_str(),
+			printf("[%zu/%zu] %s%s, about %.0f s left\n", n, open.size(), open[i]->name.c_str(),
 				   end == End::WELL ? "" : " FAILED", passed / double(n) * double(open.size() - n));
 			fflush(stdout);
 		}
 	};
 	std::vector<std::thread> threads;
-	for (int i = 1; i < settings.jobs; ++i)
+	for (int i = 1; i < parallel; ++i)
 		threads.emplace_back(work);
 	work();
 	for (std::thread& thread : threads)
