@@ -4,7 +4,9 @@
 // ep-view: a reference problem, a trial of stability or a scene of destruction in a window.
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
+#include <memory>
 
 #include "cli/NamedOption.h"
 #include "cli/OptionRange.h"
@@ -15,6 +17,9 @@
 #include "trials/Catalogue.h"
 #include "view/ReplayScene.h"
 #include "viewer/Viewer.h"
+#ifdef EP_WITH_SCENE_FILES
+#include "sceneview/LiveScene.h"
+#endif
 
 namespace
 {
@@ -23,7 +28,8 @@ struct Options
 	explicit Options(CLI::App& app)
 	{
 		const auto rate = [this](int perSecond) { stepping.step = 1. / perSecond; };
-		app.add_option("name", name, "Of a problem, of a scene of destruction, or of a trial: group/name");
+		app.add_option("name", name,
+					   "Of a problem, of a scene of destruction, of a trial: group/name, or a scene's file");
 		app.add_flag("--list", list, "Name problems, scenes and trials, and end");
 		addNamedOption(app, "--solver", solver, "How it is solved", ep::solvers());
 		addNamedOption(app, "--joint", joints, "What holds bodies together", ep::jointKinds());
@@ -81,7 +87,19 @@ std::string destroy(const ep::DestructionScene& scene, bool isBulletsWay, const 
 	return ep::format("%d joints broken", ep::playDestruction(scene, isBulletsWay, watch));
 }
 
-ep::ReplayScene sceneOf(const Options& o)
+/// Is it a file, and no name?
+bool isFile(const std::string& name) { return std::filesystem::path(name).extension() == ".json"; }
+
+std::unique_ptr<ep::ViewedScene> liveScene(const std::string& file)
+{
+#ifdef EP_WITH_SCENE_FILES
+	return std::make_unique<ep::LiveScene>(file);
+#else
+	throw std::runtime_error("'" + file + "' cannot be read: built without muParser");
+#endif
+}
+
+ep::ReplayScene replayOf(const Options& o)
 {
 	const ep::Method method(o.solver, o.joints, 10);
 	if (const ep::Problem* const problem = ep::findProblem(o.name))
@@ -94,13 +112,18 @@ ep::ReplayScene sceneOf(const Options& o)
 		return {trial->fullName(), [&](const ep::Watch& watch) { return tryOut(*trial, method, watch); }};
 	throw std::runtime_error("there is no problem, scene or trial '" + o.name + "'; --list names them");
 }
+
+std::unique_ptr<ep::ViewedScene> sceneOf(const Options& o)
+{
+	return isFile(o.name) ? liveScene(o.name) : std::make_unique<ep::ReplayScene>(replayOf(o));
+}
 }  // namespace
 
 int main(int argc, char** argv)
 {
 	CLI::App app(
 		"A reference problem, a trial of stability or a scene of destruction in a window: computed first, then played "
-		"again and again");
+		"again and again. Or a scene's file: computed as it is looked at, and anew when the file changes");
 	Options options(app);
 	CLI11_PARSE(app, argc, argv);
 	try
@@ -110,8 +133,8 @@ int main(int argc, char** argv)
 			std::cout << list();
 			return 0;
 		}
-		ep::ReplayScene scene = sceneOf(options);
-		ep::runViewer(scene, options.window);
+		const std::unique_ptr<ep::ViewedScene> scene = sceneOf(options);
+		ep::runViewer(*scene, options.window);
 	}
 	catch (const std::exception& error)
 	{

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "sceneview/LiveScene.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "scenedrawing/SceneDrawing.h"
+#include "scenefile/SceneFile.h"
+#include "simulation/Probes.h"
+#include "text/Format.h"
+#include "world/JointReading.h"
+
+namespace ep
+{
+namespace
+{
+const int LOOK_EVERY = 20;        // steps: whether the file has changed
+const size_t MOST_JOINTS = 20;    // in the table
+const size_t MOST_VALUES = 2000;  // of a plot
+
+/// Half of the values go when there are too many.
+void append(std::vector<float>& values, float value)
+{
+	if (values.size() >= MOST_VALUES)
+		values.erase(values.begin(), values.begin() + MOST_VALUES / 2);
+	values.push_back(value);
+}
+
+std::filesystem::file_time_type changeOf(const std::string& file)
+{
+	std::error_code error;
+	const auto time = std::filesystem::last_write_time(file, error);
+	return error ? std::filesystem::file_time_type::min() : time;
+}
+}  // namespace
+
+LiveScene::LiveScene(const std::string& file) : m_file(file)
+{
+	const SceneText text = SceneText::read(m_file);
+	watch(text.files);
+	build(describeScene(text));
+}
+
+std::string LiveScene::title() const
+{
+	const std::string& own = m_simulation->scene().title;
+	return own.empty() ? m_file : own;
+}
+
+void LiveScene::build(const SceneDescription& scene)
+{
+	m_simulation = std::make_unique<Simulation>(scene);
+	m_probes.assign(scene.probes.size(), {});
+	m_history.clear();
+	m_selected = -1;
+	m_balls = 0;
+	measure();
+	record();
+}
+
+void LiveScene::watch(const std::vector<std::string>& files)
+{
+	m_watched.clear();
+	for (const std::string& file : files)
+		m_watched.push_back({file, changeOf(file)});
+}
+
+bool LiveScene::hasChanged() const
+{
+	return std::any_of(m_watched.begin(), m_watched.end(),
+					   [](const Watched& watched) { return changeOf(watched.file) != watched.changed; });
+}
+
+void LiveScene::reload()
+{
+	for (Watched& watched : m_watched)
+		watched.changed = changeOf(watched.file);
+	m_complaint.clear();
+	try
+	{
+		const SceneText text = SceneText::read(m_file);
+		const SceneDescription scene = describeScene(text);
+		build(scene);
+		watch(text.files);
+	}
+	catch (const SceneError& error)
+	{
+		m_complaint = error.what();
+	}
+}
+
+void LiveScene::step(const Controls&)
+{
+	if (--m_untilLook < 0)
+	{
+		m_untilLook = LOOK_EVERY;
+		if (hasChanged())
+			reload();
+	}
+	// It stands when it is over: but for its time, a person may want to look on.
+	const Ending ending = m_simulation->ending();
+	if (ending == Ending::NotFinite || ending == Ending::FirstBreak)
+		return;
+	m_simulation->step();
+	record();
+}
+
+void LiveScene::record()
+{
+	for (size_t i = 0; i < m_probes.size(); ++i)
+		append(m_probes[i], float(readProbe(*m_simulation, m_simulation->scene().probes[i])));
+	if (m_selected >= 0 && m_simulation->joint(m_selected))
+		append(m_history, float(readJoint(m_simulation->world(), *m_simulation->joint(m_selected)).utilisation));
+}
+
+void LiveScene::measure()
+{
+	m_low.setValue(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
+	m_high = -m_low;
+	const auto& bodies = m_simulation->scene().bodies;
+	for (size_t i = 0; i < bodies.size(); ++i)
+		if (bodies[i].motion == SceneDescription::Motion::Dynamic)
+		{
+			m_low.setMin(m_simulation->startOf(int(i)).getOrigin());
+			m_high.setMax(m_simulation->startOf(int(i)).getOrigin());
+		}
+	if (m_low.x() > m_high.x())
+		m_low = m_high = btVector3(0, 0, 0);
+}
+
+btVector3 LiveScene::centre() const { return (m_low + m_high) / 2; }
+
+btScalar LiveScene::extent() const
+{
+	const btVector3 size = m_high - m_low;
+	return btMax(size.length(), btScalar(1.8) * size.y()) * btScalar(1.3) + 2;
+}
+
+Drawing LiveScene::draw() const
+{
+	Drawing drawing = drawSimulation(*m_simulation);
+	const Ending ending = m_simulation->ending();
+	if (ending != Ending::None)
+		drawing.text.push_back("ended by " + nameOf(endings(), ending));
+	std::istringstream lines(m_complaint);
+	for (std::string line; std::getline(lines, line);)
+		drawing.text.push_back(line);
+	return drawing;
+}
+
+void LiveScene::panel(size_t number, Panel& panel)
+{
+	if (number == 0)
+		happenings(panel);
+	else
+		joints(panel);
+}
+
+void LiveScene::happenings(Panel& panel)
+{
+	const SceneEnergies& e = m_simulation->energies();
+	panel.text(format("%.2f s, %d of %zu joints broken", m_simulation->time(), m_simulation->numBroken(),
+					  m_simulation->scene().joints.size()));
+	panel.shares({{"kinetic", {.05f, .25f, .55f}, e.kinetic / 1000},
+				  {"elastic", {.05f, .45f, .10f}, e.elastic / 1000},
+				  {"plastic", {.75f, .30f, .01f}, e.plastic / 1000}},
+				 "kJ");
+	if (panel.section("Probes", true))
+		for (size_t i = 0; i < m_probes.size(); ++i)
+			panel.plot(m_simulation->scene().probes[i].name.c_str(), m_probes[i], "");
+}
+
+void LiveScene::joints(Panel& panel)
+{
+	struct Used
+	{
+		int index;
+		JointReading reading;
+	};
+	std::vector<Used> used;
+	for (size_t i = 0; i < m_simulation->scene().joints.size(); ++i)
+		if (m_simulation->joint(int(i)) && !m_simulation->isCut(int(i)) && !m_simulation->isBroken(int(i)))
+			used.push_back({int(i), readJoint(m_simulation->world(), *m_simulation->joint(int(i)))});
+	const size_t shown = std::min(used.size(), MOST_JOINTS);
+	std::partial_sort(used.begin(), used.begin() + long(shown), used.end(),
+					  [](const Used& a, const Used& b) { return a.reading.utilisation > b.reading.utilisation; });
+	used.resize(shown);
+	std::vector<Panel::Row> rows;
+	int selected = -1;
+	for (const Used& u : used)
+	{
+		if (u.index == m_selected)
+			selected = int(rows.size());
+		rows.push_back(
+			{jointColour(u.reading.utilisation, u.reading.damage),
+			 {m_simulation->scene().joints[size_t(u.index)].name, format("%.0f %%", 100 * u.reading.utilisation),
+			  btElasticPlasticDofName(u.reading.limitingDof), format("%.0f %%", 100 * u.reading.damage)}});
+	}
+	const int clicked = panel.table("joints", {"joint", "used", "by", "damage"}, rows, selected);
+	if (clicked >= 0 && used[size_t(clicked)].index != m_selected)
+	{
+		m_selected = used[size_t(clicked)].index;
+		m_history.clear();
+	}
+	if (m_selected >= 0)
+		panel.plot(("used: " + m_simulation->scene().joints[size_t(m_selected)].name).c_str(), m_history, "");
+}
+
+void LiveScene::key(char key)
+{
+	if (key != 'b')
+		return;
+	// From where the scene's camera stands, to what it looks at.
+	const Camera camera = cameraOf(*m_simulation);
+	const btVector3 way = camera.target - camera.eye;
+	SceneDescription::Body ball;
+	ball.name = "ball " + std::to_string(++m_balls);
+	ball.shape.kind = SceneDescription::ShapeKind::Sphere;
+	ball.shape.size.setValue(extent() / 40, 0, 0);
+	ball.pose.setOrigin(camera.eye + way * btScalar(.3));
+	ball.velocity = way.normalized() * 25;
+	ball.colour.setValue(btScalar(.05), btScalar(.05), btScalar(.06));
+	m_simulation->add(ball);
+}
+
+std::vector<std::string> LiveScene::keyHelp() const { return {"B  throws a ball"}; }
+}  // namespace ep

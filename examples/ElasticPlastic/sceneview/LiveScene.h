@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_LIVE_SCENE_H
+#define EP_LIVE_SCENE_H
+
+#include <filesystem>
+#include <memory>
+
+#include "drawing/ViewedScene.h"
+#include "simulation/Simulation.h"
+
+namespace ep
+{
+/// A scene's file, computed while it is looked at. When the file changes, or one that it includes, it is read and computed anew; if it
+/// is not right then, what is wrong is shown, and the last one that was goes on.
+class LiveScene : public ViewedScene
+{
+public:
+	/// Throws a SceneError if the file is not right to begin with.
+	explicit LiveScene(const std::string& file);
+
+	std::string title() const override;
+	btScalar stepTime() const override { return btScalar(m_simulation->scene().world.step); }
+	void step(const Controls& controls) override;
+	void restart() override { reload(); }
+	Drawing draw() const override;
+	btVector3 centre() const override;
+	btScalar extent() const override;
+	std::vector<std::string> panels() const override { return {"What happens", "Joints"}; }
+	void panel(size_t number, Panel& panel) override;
+	void key(char key) override;
+	std::vector<std::string> keyHelp() const override;
+
+	const Simulation& simulation() const { return *m_simulation; }
+
+private:
+	struct Watched
+	{
+		std::string file;
+		std::filesystem::file_time_type changed;
+	};
+
+	void build(const SceneDescription& scene);
+	bool hasChanged() const;
+	void reload();
+	void watch(const std::vector<std::string>& files);
+	void record();
+	void measure();
+	void happenings(Panel& panel);
+	void joints(Panel& panel);
+
+	std::string m_file, m_complaint;
+	std::vector<Watched> m_watched;
+	std::unique_ptr<Simulation> m_simulation;
+	std::vector<std::vector<float>> m_probes;  // of each, its values at all steps
+	btVector3 m_low, m_high;
+	int m_untilLook = 0, m_selected = -1, m_balls = 0;
+	std::vector<float> m_history;  // utilisation of the selected joint
+};
+}  // namespace ep
+
+#endif  // EP_LIVE_SCENE_H

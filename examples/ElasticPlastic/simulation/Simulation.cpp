@@ -1,0 +1,549 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "simulation/Simulation.h"
+
+#include <algorithm>
+#include <set>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+#include "scenefile/Complaints.h"
+#include "simulation/Course.h"
+#include "text/Format.h"
+#include "world/Place.h"
+
+namespace ep
+{
+using JointType = SceneDescription::JointType;
+using Motion = SceneDescription::Motion;
+
+const std::vector<Named<SceneEvent::Type>>& sceneEventTypes()
+{
+	using Type = SceneEvent::Type;
+	static const std::vector<Named<Type>> all = {{"yield", Type::Yield},
+												 {"break", Type::Break},
+												 {"remove", Type::Remove},
+												 {"cut", Type::Cut},
+												 {"push", Type::Push}};
+	return all;
+}
+
+const std::vector<Named<Ending>>& endings()
+{
+	static const std::vector<Named<Ending>> all = {{"none", Ending::None},
+												   {"time", Ending::Time},
+												   {"standstill", Ending::Standstill},
+												   {"first break", Ending::FirstBreak},
+												   {"not finite", Ending::NotFinite}};
+	return all;
+}
+
+namespace
+{
+const double CALM = 0.5;  // what stands still for so long has come to rest [s]
+const btVector3 GROUND_SIZE(400, 2, 400);
+
+Method methodOf(const SceneDescription::WorldSettings& w) { return Method(w.solver, w.joints, w.iterations); }
+
+/// Nothing of the script comes after it.
+double lastDeedOf(const SceneDescription& scene)
+{
+	double last = scene.world.ramp;
+	for (const auto& event : scene.events)
+		last = std::max(last, event.time);
+	for (const auto& body : scene.bodies)
+		last = std::max({last, body.appears, body.path.empty() ? 0. : body.path.back().first});
+	for (const auto& blast : scene.blasts)
+		last = std::max(last, blast.time);
+	for (const auto& load : scene.loads)
+		last = std::max(last, load.course.table.empty() ? 0. : load.course.table.back().first);
+	return last;
+}
+
+/// Whether somebody but gravity and the loads does work that is not counted.
+bool isDriven(const SceneDescription& scene)
+{
+	return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+					   [](const auto& body) { return body.motion == Motion::Kinematic; }) ||
+		   std::any_of(scene.joints.begin(), scene.joints.end(),
+					   [](const auto& joint) { return joint.type == JointType::Slider && joint.motorForce > 0; });
+}
+
+/// The most that a box round a shape shows to a direction in the body's axes [m^2].
+double areaOf(const btCollisionShape& shape, const btVector3& direction)
+{
+	btVector3 low, high;
+	shape.getAabb(btTransform::getIdentity(), low, high);
+	const btVector3 size = high - low;
+	return double(btFabs(direction.x()) * size.y() * size.z() + btFabs(direction.y()) * size.x() * size.z() +
+				  btFabs(direction.z()) * size.x() * size.y());
+}
+
+bool isFinite(const btVector3& v)
+{
+	return btElasticPlasticIsFinite(double(v.x())) && btElasticPlasticIsFinite(double(v.y())) &&
+		   btElasticPlasticIsFinite(double(v.z()));
+}
+}  // namespace
+
+Simulation::Simulation(const SceneDescription& scene)
+	: m_scene(scene),
+	  m_world(std::make_unique<World>(methodOf(scene.world),
+									  scene.world.ramp > 0 ? btVector3(0, 0, 0) : scene.world.gravity)),
+	  m_played(scene.events.size()),
+	  m_lastDeed(lastDeedOf(scene))
+{
+	const SceneDescription::WorldSettings& w = m_scene.world;
+	if (w.solver == Solver::Direct || w.solver == Solver::Iterative)
+	{
+		auto& solver = *static_cast<btElasticPlasticConstraintSolver*>(m_world->bullet().getConstraintSolver());
+		btElasticPlasticSolverSettings settings = solver.getSettings();
+		settings.m_contacts = w.contacts;
+		settings.m_numThreads = w.threads;
+		solver.setSettings(settings);
+	}
+	if (w.ground)
+		m_world->body(0, m_world->box(GROUND_SIZE), at(0, -GROUND_SIZE.y() / 2))
+			->setFriction(btScalar(w.groundFriction));
+	m_anchor = m_world->body(0, m_world->box(btVector3(1, 1, 1)), at(0), false);
+	buildBodies();
+	for (size_t i = 0; i < m_scene.joints.size(); ++i)
+		buildJoint(i);
+	refuseOverlaps();
+	if (w.error > 0)
+		m_control = std::make_unique<btElasticPlasticStepControl>(w.error);
+	m_audit = std::make_unique<EnergyAudit>(*m_world);
+	m_energies.isAudited = !isDriven(m_scene);
+	playScript();
+}
+
+Simulation::~Simulation() = default;
+
+// ---- building
+
+void Simulation::buildBodies()
+{
+	Complaints complaints;
+	m_bodies.resize(m_scene.bodies.size());
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+	{
+		m_bodies[i].shape = makeShape(*m_world, m_scene.bodies[i].shape, m_meshes);
+		m_bodies[i].start = m_scene.bodies[i].pose;
+		if (!m_bodies[i].shape.fault.empty())
+			complaints.add({}, "bodies." + m_scene.bodies[i].name, m_bodies[i].shape.fault);
+	}
+	complaints.check();
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+		if (m_scene.bodies[i].appears <= 0)
+			addBody(i);
+}
+
+void Simulation::addBody(size_t index)
+{
+	const SceneDescription::Body& b = m_scene.bodies[index];
+	BuiltBody& built = m_bodies[index];
+	const double density = b.mass > 0 ? b.mass / built.shape.volume : b.density;
+	const bool isMoved = b.motion == Motion::Dynamic;
+	built.body = m_world->body(isMoved ? btScalar(density * built.shape.volume) : 0, built.shape.shape,
+							   b.pose * built.shape.centre, b.collides);
+	btRigidBody& body = *built.body;
+	body.setFriction(btScalar(b.friction));
+	body.setRestitution(btScalar(b.restitution));
+	body.setRollingFriction(btScalar(b.rollingFriction));
+	if (isMoved)
+	{
+		body.setMassProps(btScalar(density * built.shape.volume), built.shape.inertia * btScalar(density));
+		body.updateInertiaTensor();
+		body.setDamping(btScalar(m_scene.world.damping), btScalar(m_scene.world.damping));
+		body.setLinearVelocity(b.velocity);
+		body.setAngularVelocity(b.spin);
+		if (m_scene.world.sleeps)
+			body.forceActivationState(ACTIVE_TAG);
+	}
+	if (b.motion == Motion::Kinematic)
+		body.setCollisionFlags((body.getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT) |
+							   btCollisionObject::CF_KINEMATIC_OBJECT);
+	if (b.isOfLattice)
+	{
+		const int lattice = 1 << 10;
+		m_world->bullet().removeRigidBody(&body);
+		m_world->bullet().addRigidBody(&body, lattice, btBroadphaseProxy::AllFilter & ~lattice);
+	}
+}
+
+void Simulation::add(const SceneDescription::Body& body)
+{
+	m_scene.bodies.push_back(body);
+	m_bodies.emplace_back();
+	m_bodies.back().shape = makeShape(*m_world, body.shape, m_meshes);
+	m_bodies.back().start = body.pose;
+	addBody(m_bodies.size() - 1);
+}
+
+btTypedConstraint* Simulation::makeBulletsOwn(const SceneDescription::Joint& j, btRigidBody& a, btRigidBody& b)
+{
+	const btTransform inA = a.getCenterOfMassTransform().inverse() * j.frame,
+					  inB = b.getCenterOfMassTransform().inverse() * j.frame;
+	switch (j.type)
+	{
+		case JointType::Hinge:
+		{
+			const btVector3 axis = j.frame.getBasis().getColumn(0);
+			auto* const hinge = new btHingeConstraint(a, b, inA.getOrigin(), inB.getOrigin(),
+													  a.getCenterOfMassTransform().getBasis().transpose() * axis,
+													  b.getCenterOfMassTransform().getBasis().transpose() * axis);
+			if (j.motorForce > 0)
+				hinge->enableAngularMotor(true, btScalar(j.motorSpeed), btScalar(j.motorForce * m_scene.world.step));
+			m_feedbacks.push_back(std::make_unique<btJointFeedback>());
+			hinge->setJointFeedback(m_feedbacks.back().get());
+			return hinge;
+		}
+		case JointType::Ball:
+			return new btPoint2PointConstraint(a, b, inA.getOrigin(), inB.getOrigin());
+		case JointType::Slider:
+		{
+			auto* const slider = new btSliderConstraint(a, b, inA, inB, true);
+			slider->setLowerLinLimit(1);
+			slider->setUpperLinLimit(-1);
+			slider->setPoweredLinMotor(j.motorForce > 0);
+			slider->setTargetLinMotorVelocity(btScalar(j.motorSpeed));
+			slider->setMaxLinMotorForce(btScalar(j.motorForce));
+			return slider;
+		}
+		case JointType::Fixed:
+		case JointType::World:
+		case JointType::Spring:
+		case JointType::Paper:
+			break;
+	}
+	return new btFixedConstraint(a, b, inA, inB);
+}
+
+void Simulation::buildJoint(size_t index)
+{
+	const SceneDescription::Joint& j = m_scene.joints[index];
+	btRigidBody* const a = j.bodies[0] == SceneDescription::WORLD ? m_anchor : body(j.bodies[0]);
+	btRigidBody* const b = j.bodies[1] == SceneDescription::WORLD ? m_anchor : body(j.bodies[1]);
+	BuiltJoint built;
+	if (j.type < JointType::Fixed)
+	{
+		built.joint =
+			m_world->joint(*a, *b, j.frame, j.capacity,
+						   j.type == JointType::Spring ? JointClass::Spring : m_scene.world.joints.jointClass);
+		if (j.type == JointType::Paper)
+			built.joint->setScheme(BT_EP_SCHEME_PAPER);
+		built.joint->setName(j.name.c_str());
+		built.constraint = &built.joint->getConstraint();
+		m_indexOf[built.joint] = int(index);
+	}
+	else
+	{
+		built.constraint = makeBulletsOwn(j, *a, *b);
+		if (j.breaksAt > 0)
+			built.constraint->setBreakingImpulseThreshold(btScalar(j.breaksAt * m_scene.world.step));
+		m_world->add(built.constraint, !j.collides);
+	}
+	m_joints.push_back(built);
+}
+
+/// Bodies that stand in each other would be shot apart.
+void Simulation::refuseOverlaps()
+{
+	const btScalar share = btScalar(.05);  // of the smaller one's least size
+	std::unordered_map<const btCollisionObject*, const std::string*> names;
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+		names[m_bodies[i].body] = &m_scene.bodies[i].name;
+	const std::string ground = "the ground";
+	const auto nameOf = [&](const btCollisionObject* object)
+	{
+		const auto found = names.find(object);
+		return found == names.end() ? ground : *found->second;
+	};
+	const auto leastSize = [](const btCollisionObject* object)
+	{
+		btVector3 low, high;
+		object->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+		return (high - low)[(high - low).minAxis()];
+	};
+	m_world->bullet().performDiscreteCollisionDetection();
+	Complaints complaints;
+	btDispatcher& dispatcher = *m_world->bullet().getDispatcher();
+	for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+	{
+		const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+		const btCollisionObject *const a = manifold.getBody0(), *const b = manifold.getBody1();
+		btScalar depth = 0;
+		for (int k = 0; k < manifold.getNumContacts(); ++k)
+			depth = btMax(depth, -manifold.getContactPoint(k).getDistance());
+		if (depth > share * btMin(leastSize(a), leastSize(b)))
+			complaints.add(
+				{}, "bodies." + nameOf(a),
+				format("stands %.3g m deep in %s; move one, or join them", double(depth), nameOf(b).c_str()));
+	}
+	complaints.check();
+}
+
+// ---- stepping
+
+void Simulation::step()
+{
+	const double dt = m_scene.world.step;
+	if (m_control)
+	{
+		m_control->begin(btScalar(dt));
+		for (btScalar length; (length = m_control->next(m_world->bullet())) > 0;)
+		{
+			substep(length);
+			m_control->observe(m_world->bullet(), m_world->action());
+		}
+	}
+	else
+		for (int i = 0; i < m_scene.world.substeps; ++i)
+			substep(btScalar(dt / m_scene.world.substeps));
+	takeEvents();
+	checkEnd();
+	playScript();
+}
+
+void Simulation::substep(btScalar dt)
+{
+	setGravity();
+	moveKinematic(m_time + double(dt));
+	applyLoads(m_time + double(dt) / 2);
+	applyBlasts(m_time, double(dt));
+	m_audit->begin();
+	m_world->step(dt);
+	m_audit->end(dt);
+	m_time += double(dt);
+	m_lastSubstep = double(dt);
+	m_energies.gained += std::max(0., m_audit->gain() - m_audit->slowRecovery());
+	m_energies.turnover = m_audit->turnover();
+}
+
+void Simulation::setGravity()
+{
+	const SceneDescription::WorldSettings& w = m_scene.world;
+	if (w.ramp > 0 && m_time < 2 * w.ramp)
+		m_world->bullet().setGravity(w.gravity * btScalar(std::min(1., m_time / w.ramp)));
+}
+
+void Simulation::moveKinematic(double time)
+{
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+	{
+		const auto& path = m_scene.bodies[i].path;
+		if (path.empty())
+			continue;
+		btTransform pose = m_scene.bodies[i].pose;
+		pose.setOrigin(onPath(path, time));
+		m_bodies[i].body->setWorldTransform(pose * m_bodies[i].shape.centre);
+	}
+}
+
+void Simulation::applyLoads(double time)
+{
+	for (const SceneDescription::Load& load : m_scene.loads)
+	{
+		const btScalar factor = btScalar(factorAt(load.course, time));
+		if (factor == 0)
+			continue;
+		for (int index : load.bodies)
+		{
+			if (!isThere(index) || body(index)->getInvMass() == 0)
+				continue;
+			btRigidBody& body = *this->body(index);
+			const btTransform pose = poseOf(index);
+			const btMatrix3x3 turn = load.turnsAlong ? pose.getBasis() : btMatrix3x3::getIdentity();
+			body.activate();
+			body.applyForce(turn * load.force * factor, pose * load.at - body.getCenterOfMassPosition());
+			body.applyTorque(turn * load.moment * factor);
+		}
+	}
+}
+
+void Simulation::applyBlasts(double time, double dt)
+{
+	const double nearest = 0.1;  // [m]
+	for (const SceneDescription::Blast& blast : m_scene.blasts)
+		for (size_t i = 0; i < m_bodies.size(); ++i)
+		{
+			if (!isThere(int(i)) || m_bodies[i].body->getInvMass() == 0)
+				continue;
+			btRigidBody& body = *m_bodies[i].body;
+			const btVector3 way = body.getCenterOfMassPosition() - blast.at;
+			const double distance = std::max(nearest, double(way.length())),
+						 arrival = blast.time + distance / blast.speed;
+			const double share = meanOfPulse(arrival, blast.duration, time, dt);
+			if (share <= 0 || way.length() < SIMD_EPSILON)
+				continue;
+			const btVector3 direction = way.normalized();
+			const double area =
+				areaOf(*body.getCollisionShape(), body.getCenterOfMassTransform().getBasis().transpose() * direction);
+			body.activate();
+			body.applyCentralForce(direction *
+								   btScalar(blast.pressure * std::pow(distance, -blast.decay) * share * area));
+		}
+}
+
+// ---- what the scene does, and what comes of it
+
+void Simulation::playScript()
+{
+	const double now = m_time + m_scene.world.step / 2;
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+		if (!m_bodies[i].body && m_scene.bodies[i].appears <= now)
+			addBody(i);
+	for (size_t i = 0; i < m_scene.events.size(); ++i)
+	{
+		const SceneDescription::Event& event = m_scene.events[i];
+		if (m_played[i] || event.time > now)
+			continue;
+		m_played[i] = true;
+		for (int index : event.cut)
+			cut(index);
+		for (int index : event.removed)
+			remove(index);
+		for (int index : event.pushed)
+			push(index, event.velocity);
+	}
+}
+
+void Simulation::note(SceneEvent::Type type, int index, const btVector3& place)
+{
+	m_events.push_back({m_time, type, index, -1, 0, place});
+}
+
+void Simulation::remove(int index)
+{
+	if (!isThere(index))
+		return;
+	btRigidBody& body = *this->body(index);
+	note(SceneEvent::Type::Remove, index, body.getCenterOfMassPosition());
+	for (size_t i = 0; i < m_joints.size(); ++i)
+		if (m_scene.joints[i].bodies[0] == index || m_scene.joints[i].bodies[1] == index)
+			m_joints[i].isCut = true;
+	for (int i = 0; i < body.getNumConstraintRefs(); ++i)
+	{
+		body.getConstraintRef(i)->getRigidBodyA().activate();
+		body.getConstraintRef(i)->getRigidBodyB().activate();
+	}
+	m_world->action().removeBody(m_world->bullet(), body);
+	body.setLinearVelocity(btVector3(0, 0, 0));
+	body.setAngularVelocity(btVector3(0, 0, 0));
+}
+
+void Simulation::cut(int index)
+{
+	BuiltJoint& built = m_joints[size_t(index)];
+	if (built.isCut || isBroken(index))
+		return;
+	built.isCut = true;
+	btTypedConstraint* constraint = built.constraint;
+	if (built.joint)
+	{
+		note(SceneEvent::Type::Cut, index, built.joint->getPosition());
+		m_world->action().removeJoint(built.joint);
+		if (const BulletJoint* const own = m_world->inPlaceOf(*built.joint))
+			constraint = &own->constraint();
+	}
+	else
+		note(SceneEvent::Type::Cut, index, m_scene.joints[size_t(index)].frame.getOrigin());
+	constraint->getRigidBodyA().activate();
+	constraint->getRigidBodyB().activate();
+	m_world->bullet().removeConstraint(constraint);
+}
+
+void Simulation::push(int index, const btVector3& velocity)
+{
+	if (!isThere(index) || body(index)->getInvMass() == 0)
+		return;
+	note(SceneEvent::Type::Push, index, body(index)->getCenterOfMassPosition());
+	body(index)->activate();
+	body(index)->setLinearVelocity(velocity);
+	if (m_control)
+		m_control->expectBlow();
+}
+
+void Simulation::takeEvents()
+{
+	btElasticPlasticEvent e;
+	while (m_world->action().popEvent(e))
+	{
+		const auto found = m_indexOf.find(e.m_joint);
+		if (found != m_indexOf.end())
+			m_events.push_back({e.m_time,
+								e.m_type == BT_EP_EVENT_BREAK ? SceneEvent::Type::Break : SceneEvent::Type::Yield,
+								found->second, e.m_dof, e.m_energy, e.m_position});
+	}
+	SceneEnergies& sum = m_energies;
+	sum.kinetic = m_world->kineticEnergy();
+	sum.elastic = sum.plastic = sum.numerical = 0;
+	for (size_t i = 0; i < m_joints.size(); ++i)
+	{
+		BuiltJoint& built = m_joints[i];
+		if (!built.isBroken && !built.isCut && isBroken(int(i)))
+		{
+			built.isBroken = true;
+			// Of ours the queue has told.
+			if (!built.joint || !m_scene.world.joints.isElasticPlastic())
+				note(SceneEvent::Type::Break, int(i), m_scene.joints[i].frame.getOrigin());
+		}
+		if (!built.joint)
+			continue;
+		sum.elastic += isBroken(int(i)) || built.isCut ? 0 : built.joint->getElasticEnergy();
+		sum.plastic += built.joint->getPlasticEnergy();
+		sum.numerical += built.joint->getNumericalEnergy();
+	}
+}
+
+double Simulation::fastest() const
+{
+	double most = 0;
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+		if (isThere(int(i)) && m_bodies[i].body->getInvMass() > 0)
+			most = std::max(most, double(m_bodies[i].body->getLinearVelocity().length()));
+	return most;
+}
+
+void Simulation::checkEnd()
+{
+	for (const BuiltBody& built : m_bodies)
+		if (built.body && !(isFinite(built.body->getCenterOfMassPosition()) &&
+							isFinite(built.body->getLinearVelocity()) && isFinite(built.body->getAngularVelocity())))
+		{
+			m_ending = Ending::NotFinite;
+			return;
+		}
+	const SceneDescription::End& end = m_scene.end;
+	const bool isCalm = end.standstill > 0 && m_time > m_lastDeed && fastest() < end.standstill;
+	m_calm = isCalm ? m_calm + m_scene.world.step : 0;
+	if (end.firstBreak && numBroken() > 0)
+		m_ending = Ending::FirstBreak;
+	else if (m_calm > CALM)
+		m_ending = Ending::Standstill;
+	else if (m_time + m_scene.world.step / 2 > end.time)
+		m_ending = Ending::Time;
+}
+
+// ---- readings
+
+btTransform Simulation::poseOf(int index) const
+{
+	const BuiltBody& built = m_bodies[size_t(index)];
+	return built.body ? built.body->getCenterOfMassTransform() * built.shape.centre.inverse() : built.start;
+}
+
+bool Simulation::isBroken(int index) const
+{
+	const BuiltJoint& built = m_joints[size_t(index)];
+	if (!built.joint)
+		return !built.constraint->isEnabled();
+	const BulletJoint* const own = m_world->inPlaceOf(*built.joint);
+	return own ? own->isBroken() : built.joint->isBroken();
+}
+
+int Simulation::numBroken() const
+{
+	return int(std::count_if(m_joints.begin(), m_joints.end(), [](const BuiltJoint& joint) { return joint.isBroken; }));
+}
+}  // namespace ep

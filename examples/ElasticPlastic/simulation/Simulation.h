@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_SIMULATION_H
+#define EP_SIMULATION_H
+
+#include <memory>
+#include <unordered_map>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
+#include "scenefile/SceneDescription.h"
+#include "simulation/Shapes.h"
+#include "world/EnergyAudit.h"
+
+namespace ep
+{
+/// What has happened in a simulation.
+struct SceneEvent
+{
+	enum class Type
+	{
+		Yield,
+		Break,
+		Remove,  ///< by the scene: a body
+		Cut,     ///< a joint
+		Push     ///< a body
+	};
+
+	double time;
+	Type type;
+	int index;  ///< of the joint or body in the description
+	int dof;    ///< of a joint that yields or breaks, else -1
+	double energy;
+	btVector3 place;
+};
+const std::vector<Named<SceneEvent::Type>>& sceneEventTypes();
+
+/// Where the energy of a simulation is [J].
+struct SceneEnergies
+{
+	double kinetic = 0;
+	double elastic = 0, plastic = 0, numerical = 0;  ///< of joints
+	double turnover = 0;    ///< the most that kinetic energy and what joints have stored and dissipated have been
+	double gained = 0;      ///< the sum of what steps have added from nowhere
+	bool isAudited = true;  ///< false with kinematic bodies and motors, whose work nobody counts
+};
+
+/// Why a simulation is over.
+enum class Ending
+{
+	None,
+	Time,
+	Standstill,
+	FirstBreak,
+	NotFinite
+};
+const std::vector<Named<Ending>>& endings();
+
+/// A scene that is built and computed, step by step.
+class Simulation
+{
+public:
+	/// Throws a SceneError if it cannot be built: bodies without volume, or in each other.
+	explicit Simulation(const SceneDescription& scene);
+	~Simulation();
+	Simulation(const Simulation&) = delete;
+	Simulation& operator=(const Simulation&) = delete;
+
+	const SceneDescription& scene() const { return m_scene; }
+	World& world() { return *m_world; }
+	const World& world() const { return *m_world; }
+
+	/// By their places in the description. \return null for the world, and for a body that has not come yet
+	btRigidBody* body(int index) const { return index < 0 ? nullptr : m_bodies[size_t(index)].body; }
+	/// \return null for one of Bullet's own
+	btElasticPlasticJoint* joint(int index) const { return m_joints[size_t(index)].joint; }
+
+	/// A body's pose as the description has it: its centre of mass may be elsewhere.
+	btTransform poseOf(int index) const;
+	btTransform startOf(int index) const { return m_bodies[size_t(index)].start; }
+
+	/// In the world, and not removed.
+	bool isThere(int index) const { return body(index) && body(index)->isInWorld(); }
+	bool isBroken(int joint) const;
+	bool isCut(int joint) const { return m_joints[size_t(joint)].isCut; }  ///< taken out by the scene
+
+	/// A body that comes into the world now, after all others. It must have a volume.
+	void add(const SceneDescription::Body& body);
+
+	void step();
+	double time() const { return m_time; }
+	double lastSubstep() const { return m_lastSubstep; }  ///< its length [s]
+	Ending ending() const { return m_ending; }
+
+	/// All so far, in the order of time.
+	const std::vector<SceneEvent>& events() const { return m_events; }
+
+	const SceneEnergies& energies() const { return m_energies; }
+
+	/// Broken so far; those that the scene has cut do not count.
+	int numBroken() const;
+
+private:
+	struct BuiltBody
+	{
+		btRigidBody* body = nullptr;
+		CentredShape shape;
+		btTransform start = btTransform::getIdentity();
+	};
+	struct BuiltJoint
+	{
+		btElasticPlasticJoint* joint = nullptr;  ///< null: one of Bullet's own
+		btTypedConstraint* constraint = nullptr;
+		bool isCut = false, isBroken = false;
+	};
+
+	void buildBodies();
+	void addBody(size_t index);
+	void buildJoint(size_t index);
+	btTypedConstraint* makeBulletsOwn(const SceneDescription::Joint& joint, btRigidBody& a, btRigidBody& b);
+	void refuseOverlaps();
+	void substep(btScalar dt);
+	void moveKinematic(double time);
+	void applyLoads(double time);
+	void applyBlasts(double time, double dt);
+	void setGravity();
+	void playScript();
+	void remove(int body);
+	void cut(int joint);
+	void push(int body, const btVector3& velocity);
+	void note(SceneEvent::Type type, int index, const btVector3& place);
+	void takeEvents();
+	void checkEnd();
+	double fastest() const;
+
+	SceneDescription m_scene;
+	std::vector<std::unique_ptr<btTriangleMesh>> m_meshes;  // before the world, whose shapes use them
+	std::vector<std::unique_ptr<btJointFeedback>> m_feedbacks;
+	std::unique_ptr<World> m_world;
+	btRigidBody* m_anchor = nullptr;  // what the world is to joints
+	std::vector<BuiltBody> m_bodies;
+	std::vector<BuiltJoint> m_joints;
+	std::unordered_map<const btElasticPlasticJoint*, int> m_indexOf;
+	std::unique_ptr<EnergyAudit> m_audit;
+	std::unique_ptr<btElasticPlasticStepControl> m_control;
+	std::vector<SceneEvent> m_events;
+	SceneEnergies m_energies;
+	std::vector<bool> m_played;     // events
+	double m_time = 0, m_calm = 0;  // how long all has stood still
+	double m_lastSubstep = 1;
+	double m_lastDeed = 0;  // of the script: before it nothing stands still
+	Ending m_ending = Ending::None;
+};
+}  // namespace ep
+
+#endif  // EP_SIMULATION_H

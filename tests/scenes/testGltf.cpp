@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// Scenes exported as glTF, read back by the library that others read it with.
+
+#include <tiny_gltf.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "gltf/GltfFilm.h"
+#include "gltf/Triangles.h"
+#include "scenes/Scenes.h"
+#include "support/Precision.h"
+
+using namespace ep;
+
+namespace
+{
+using ShapeKind = SceneDescription::ShapeKind;
+
+tinygltf::Model readBack(const std::string& file)
+{
+	tinygltf::Model model;
+	std::string error, warning;
+	EXPECT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromFile(&model, &error, &warning, file)) << error;
+	EXPECT_EQ(error + warning, "");
+	return model;
+}
+
+std::vector<float> numbersOf(const tinygltf::Model& model, int index)
+{
+	const tinygltf::Accessor& accessor = model.accessors[size_t(index)];
+	const tinygltf::BufferView& view = model.bufferViews[size_t(accessor.bufferView)];
+	std::vector<float> numbers(view.byteLength / sizeof(float));
+	std::memcpy(numbers.data(), &model.buffers[0].data[view.byteOffset], view.byteLength);
+	EXPECT_EQ(numbers.size(), accessor.count * size_t(tinygltf::GetNumComponentsInType(uint32_t(accessor.type))));
+	return numbers;
+}
+
+/// Track of a node, empty: it has none.
+std::vector<float> trackOf(const tinygltf::Model& model, int node, const std::string& path, std::string* how = nullptr)
+{
+	for (const tinygltf::AnimationChannel& channel : model.animations.at(0).channels)
+		if (channel.target_node == node && channel.target_path == path)
+		{
+			const tinygltf::AnimationSampler& sampler = model.animations[0].samplers[size_t(channel.sampler)];
+			if (how)
+				*how = sampler.interpolation;
+			return numbersOf(model, sampler.output);
+		}
+	return {};
+}
+
+/// By the divergence theorem: positive, if triangles are seen counter-clockwise from outside.
+double volumeOf(const Triangles& t)
+{
+	double volume = 0;
+	for (size_t i = 0; i + 2 < t.corners.size(); i += 3)
+		volume += double(t.corners[i].dot(t.corners[i + 1].cross(t.corners[i + 2]))) / 6;
+	return volume;
+}
+}  // namespace
+
+TEST(Triangles, EncloseTheirShapesFromOutside)
+{
+	SceneDescription::Shape shape;
+	const double around = 24 * std::sin(2 * M_PI / 24) / 2;  // area of a circle's polygon
+	shape.kind = ShapeKind::Box;
+	shape.size.setValue(1, 2, 3);
+	EXPECT_NEAR(volumeOf(trianglesOf(shape)), 6, 1e-5);
+	EXPECT_EQ(trianglesOf(shape).corners.size(), 36u);
+	shape.kind = ShapeKind::Cylinder;
+	EXPECT_NEAR(volumeOf(trianglesOf(shape)), 2 * around, 1e-5);
+	// A ball's triangles lie within it: of its volume they leave out some hundredths.
+	shape.kind = ShapeKind::Sphere;
+	const double ball = volumeOf(trianglesOf(shape));
+	EXPECT_NEAR(ball, 4. / 3 * M_PI, .03 * 4. / 3 * M_PI);
+	shape.kind = ShapeKind::Capsule;
+	EXPECT_NEAR(volumeOf(trianglesOf(shape)), ball + 2 * around, 1e-4);
+	shape.kind = ShapeKind::Hull;
+	shape.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+	EXPECT_NEAR(volumeOf(trianglesOf(shape)), 1. / 6, 1e-6);
+	for (const btVector3& normal : trianglesOf(shape).normals)
+		EXPECT_NEAR(double(normal.length()), 1, 1e-5);
+}
+
+TEST(Gltf, TracksOfBodiesAreTheirPoses)
+{
+	const TemporaryFolder folder;
+	const std::string file = folder.path() + "/film.glb";
+	Simulation s(sceneOf(
+		R"("title": "film", "end": {"time": 0.5}, "materials": {"m": {"yield_stress": 1e6, "ultimate_plastic_strain": 0.001}},
+		"bodies": [{"name": "floor", "box": [9, 1, 9], "at": [0, -3, 0], "motion": "static"},
+			{"name": "ball", "sphere": 0.5, "velocity": [1, 2, 3], "spin": [4, 5, 6], "at": [5, 5, 5]},
+			{"name": "late", "hull": [0,0,0, 1,0,0, 0,1,0, 0,0,1], "appears": 0.25, "at": [-5, 5, 5]}],
+		"structures": [{"beam": {"name": "beam", "material": "m", "section": {"rectangle": [0.01, 0.01]}, "from": [0, 0, 0], "to": [1, 0, 0], "parts": 2, "end": "free"}}])"));
+	GltfFilm film(s);
+	std::vector<btTransform> poses = {s.poseOf(1)};
+	while (s.ending() == Ending::None)
+	{
+		s.step();
+		film.step();
+		poses.push_back(s.poseOf(1));
+	}
+	film.write(file);
+	const tinygltf::Model model = readBack(file);
+	ASSERT_EQ(model.nodes.size(), 5u + 2);
+	EXPECT_EQ(model.nodes[1].name, "ball");
+	EXPECT_TRUE(trackOf(model, 0, "translation").empty());
+	const std::vector<float> places = trackOf(model, 1, "translation"), turns = trackOf(model, 1, "rotation");
+	ASSERT_EQ(places.size(), 3 * poses.size());
+	for (size_t i = 0; i < poses.size(); ++i)
+	{
+		// Floats of some metres.
+		for (int k = 0; k < 3; ++k)
+			EXPECT_NEAR(double(places[3 * i + size_t(k)]), double(poses[i].getOrigin()[k]), 1e-6);
+		const btQuaternion turn(turns[4 * i], turns[4 * i + 1], turns[4 * i + 2], turns[4 * i + 3]);
+		EXPECT_NEAR(std::fabs(double(turn.dot(poses[i].getRotation()))), 1, 1e-6);
+	}
+	// What appears has no size before, and all of it at once.
+	std::string how;
+	const std::vector<float> sizes = trackOf(model, 2, "scale", &how);
+	EXPECT_EQ(how, "STEP");
+	EXPECT_EQ(sizes.front(), 0);
+	EXPECT_EQ(sizes.back(), 1);
+	// The beam of 1 cm cannot bear itself: its joint tells of it.
+	const tinygltf::Value& joint = model.nodes[5].extras;
+	EXPECT_EQ(joint.Get("joint").Get<std::string>(), "beam/0");
+	EXPECT_EQ(joint.Get("utilisation").ArrayLen(), poses.size());
+	EXPECT_TRUE(joint.Get("is_broken").Get<bool>());
+	const tinygltf::Value& events = model.scenes[0].extras.Get("events");
+	ASSERT_GE(events.ArrayLen(), 2u);
+	EXPECT_EQ(events.Get(0).Get("event").Get<std::string>(), "yield");
+	EXPECT_EQ(events.Get(1).Get("event").Get<std::string>(), "break");
+}
+
+TEST(Gltf, CannotBeWrittenNowhere)
+{
+	Simulation s(sceneOf(""));
+	EXPECT_THROW(GltfFilm(s).write("/dev/null/film.glb"), std::runtime_error);
+}
