@@ -316,7 +316,7 @@ void Simulation::substep(btScalar dt)
 	m_audit->end(dt);
 	m_time += double(dt);
 	m_lastSubstep = double(dt);
-	m_energies.gained += std::max(0., m_audit->gain() - m_audit->slowRecovery());
+	m_energies.gained += std::max(0., m_audit->gain() - m_audit->bulletsRecovery());
 	m_energies.turnover = m_audit->turnover();
 }
 
