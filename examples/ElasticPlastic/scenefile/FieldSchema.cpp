@@ -62,7 +62,7 @@ bool FieldSchema::number(const char* key, double& value, const Range& range, con
 {
 	Json type = numberType(range, false);
 	// What stands for never is not the same number in both precisions.
-	const double never = 1e18;
+	const double never = 9e17;
 	if (need == Need::Optional && value < never)
 		type["default"] = shortest(value);
 	return add(key, type, withUnit(help, unit), need);
