@@ -9,7 +9,6 @@
 #include "ElasticPlastic/joint/JointRegistry.h"
 #include "ElasticPlastic/joint/JointWorks.h"
 #include "LinearMath/btQuickprof.h"
-#include "btElasticPlasticDebugDraw.h"
 
 void btElasticPlasticListener::onRefused(btElasticPlasticJoint&, const char* text)
 {
@@ -56,8 +55,28 @@ void btElasticPlasticAction::getJointsInWorld(const btDynamicsWorld& world,
 		joints[i] = &found[i]->m_joint;
 }
 
-void btElasticPlasticAction::setListener(btElasticPlasticListener* listener) { m_registry->setListener(listener); }
+void btElasticPlasticAction::addListener(btElasticPlasticListener* listener) { m_registry->addListener(listener); }
+void btElasticPlasticAction::removeListener(btElasticPlasticListener* listener)
+{
+	m_registry->removeListener(listener);
+}
+
+void btElasticPlasticAction::setListener(btElasticPlasticListener* listener)
+{
+	m_registry->removeListeners();
+	m_registry->addListener(listener);
+}
+
 bool btElasticPlasticAction::popEvent(btElasticPlasticEvent& event) { return m_registry->popEvent(event); }
+bool btElasticPlasticAction::setWakingShare(btScalar share)
+{
+	const bool isInRange = share >= 0 && share <= btElasticPlasticCapacity::unlimited();
+	if (isInRange)
+		m_registry->setWakingShare(share);
+	return isInRange;
+}
+btScalar btElasticPlasticAction::getWakingShare() const { return m_registry->getWakingShare(); }
+
 double btElasticPlasticAction::getTime() const { return m_registry->getTime(); }
 
 void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar timeStep)
@@ -72,5 +91,13 @@ void btElasticPlasticAction::debugDraw(btIDebugDraw* drawer)
 	btAlignedObjectArray<btElasticPlastic::JointWorks*> joints;
 	m_registry->findDrawable(joints);
 	for (int i = 0; i < joints.size(); ++i)
-		btElasticPlasticDrawJoint(*drawer, joints[i]->m_joint);
+		btElasticPlasticDrawJoint(*drawer, joints[i]->m_joint, m_drawing);
+}
+
+bool btElasticPlasticAction::setDrawing(const btElasticPlasticDrawing& drawing)
+{
+	const bool isInRange = drawing.isInRange();
+	if (isInRange)
+		m_drawing = drawing;
+	return isInRange;
 }

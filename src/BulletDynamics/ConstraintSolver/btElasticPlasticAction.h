@@ -5,6 +5,7 @@
 #define BT_ELASTIC_PLASTIC_ACTION_H
 
 #include "BulletDynamics/Dynamics/btActionInterface.h"
+#include "btElasticPlasticDebugDraw.h"
 #include "btElasticPlasticEvent.h"
 #include "btElasticPlasticJoint.h"
 #include "btElasticPlasticPrecision.h"
@@ -23,9 +24,11 @@ class Snapshot;
 ///
 /// It owns nothing. Joints may be deleted, removed from the world or from here, in any order, before the world; so may the action.
 /// As in Bullet, a body must not leave the world before its constraints do: removeBody() takes care of that.
-class btElasticPlasticAction : public btActionInterface
+class alignas(16) btElasticPlasticAction : public btActionInterface
 {
 public:
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
 	btElasticPlasticAction(btElasticPlasticOwnPrecision = {});
 	~btElasticPlasticAction() override;
 	btElasticPlasticAction(const btElasticPlasticAction&) = delete;
@@ -65,25 +68,48 @@ public:
 	/// \param joints  what it held before is gone
 	void getJointsInWorld(const btDynamicsWorld& world, btAlignedObjectArray<btElasticPlasticJoint*>& joints);
 
-	/// With a listener, events go to it and not to the queue. Null: back to the queue. It must outlive the action.
+	/// With listeners, events go to them, in the order in which they were added, and not to the queue. They must outlive the action
+	/// or be removed before; both may be done while events are told. Adding one again does nothing, nor does null.
+	void addListener(btElasticPlasticListener* listener);
+	void removeListener(btElasticPlasticListener* listener);
+
+	/// Makes this the only listener. Null: none, back to the queue.
 	void setListener(btElasticPlasticListener* listener);
 
 	/// Takes the oldest event from the queue. \return false if there is none.
-	/// The queue holds the newest yield and the newest break of each joint that the action knows: unread, it stays bounded.
+	/// The queue holds the newest event of each joint and kind: yield, break, and a quantity that has passed its level. Unread, it
+	/// stays bounded.
 	bool popEvent(btElasticPlasticEvent& event);
+
+	/// Bullet lets bodies sleep by their speed alone. Bodies stay awake, too, while the load of a joint of theirs changes within two
+	/// seconds by more than this share of its yield value, or what it stands on, a static or kinematic body, moves; a joint
+	/// that flows changes its load in this sense as far as the flow is as large. A sleeping structure wakes when what it stands on
+	/// moves, and when a joint of it gets another capacity.
+	/// \param share  0 (any change) to btElasticPlasticCapacity::unlimited() (nothing: sleep is left to Bullet); default 0.05.
+	/// Vibrations that are larger keep a structure awake.
+	/// \return false, and nothing changes, if it is out of range
+	bool setWakingShare(btScalar share);
+	btScalar getWakingShare() const;
 
 	/// Sum of the substeps seen [s].
 	double getTime() const;
 
 	void updateAction(btCollisionWorld* world, btScalar timeStep) override;
 
-	/// Draws the joints whose bodies are in the world, see btElasticPlasticDebugDraw.h; before the world's first step, none.
+	/// Draws the joints whose bodies are in the world in the colours of their use, see btElasticPlasticDebugDraw.h; before the world's
+	/// first step, none. Bullet calls it from debugDrawWorld() in the modes DBG_DrawWireframe, DBG_DrawAabb and DBG_DrawNormals; in any
+	/// other call it yourself after debugDrawWorld().
 	void debugDraw(btIDebugDraw* drawer) override;
+
+	/// How debugDraw() draws. \return false, and nothing changes, if a number is not finite or a size negative
+	bool setDrawing(const btElasticPlasticDrawing& drawing);
+	const btElasticPlasticDrawing& getDrawing() const { return m_drawing; }
 
 private:
 	friend class btElasticPlastic::Snapshot;
 
 	btElasticPlastic::JointRegistry* const m_registry;
+	btElasticPlasticDrawing m_drawing;
 };
 
 #endif  // BT_ELASTIC_PLASTIC_ACTION_H

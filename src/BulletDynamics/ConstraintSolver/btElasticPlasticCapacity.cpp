@@ -50,6 +50,17 @@ void btElasticPlasticCapacity::scaleYield(btScalar factor)
 		m_yield[i] *= factor;
 }
 
+bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) const
+{
+	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length;
+	for (int i = 0; i < 2; ++i)
+		isSame &= m_coupling[i] == other.m_coupling[i];
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		isSame &= m_stiffness[i] == other.m_stiffness[i] && m_yield[i] == other.m_yield[i] &&
+				  m_ductility[i] == other.m_ductility[i];
+	return isSame;
+}
+
 btElasticPlasticFault btElasticPlasticCapacity::fault() const
 {
 	if (m_fault)

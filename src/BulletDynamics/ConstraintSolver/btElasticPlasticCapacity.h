@@ -77,6 +77,9 @@ struct btElasticPlasticCapacity
 	/// Elastic deformation under the given forces [m], [rad]; 0 where there is no spring.
 	btScalar elasticDeformation(const btScalar force[BT_EP_DOF_COUNT], int dof) const;
 
+	/// Whether all values are the same; those of degrees of freedom that are not elastic-plastic, too.
+	bool isSameAs(const btElasticPlasticCapacity& other) const;
+
 	/// First value that is out of its range; yield without stiffness is one, unless rigid-plastic.
 	btElasticPlasticFault fault() const;
 

@@ -50,6 +50,8 @@ public:
 	void solveConstraintObsolete(btSolverBody& bodyA, btSolverBody&, btScalar) override { answer(bodyA); }
 
 protected:
+	void updateDrawnFrames() override { Base::calculateTransforms(); }
+
 	template <class... Arguments>
 	explicit btElasticPlasticConstraint(Arguments&&... arguments)
 		: Base(arguments...), btElasticPlasticJoint(*static_cast<Base*>(this), Base::m_frameInA, Base::m_frameInB)

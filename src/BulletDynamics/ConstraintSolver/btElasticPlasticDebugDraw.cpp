@@ -6,12 +6,20 @@
 #include "LinearMath/btIDebugDraw.h"
 #include "btElasticPlasticJoint.h"
 
-btVector3 btElasticPlasticColour(btScalar utilisation, btScalar damage)
+bool btElasticPlasticDrawing::isInRange() const
+{
+	const btVector3 sum = m_unloaded + m_half + m_yielding;
+	return btElasticPlasticIsFinite(sum.x() + sum.y() + sum.z()) && btElasticPlasticIsFinite(m_spent + m_size) &&
+		   m_spent >= 0 && m_size >= 0;
+}
+
+btVector3 btElasticPlasticColour(btScalar utilisation, btScalar damage, const btElasticPlasticDrawing& drawing)
 {
 	const btScalar u = btMax(btScalar(0), btMin(btScalar(1), utilisation)),
 				   d = btMax(btScalar(0), btMin(btScalar(1), damage));
-	const btVector3 colour(btMin(btScalar(1), 2 * u), btMin(btScalar(1), 2 - 2 * u), 0);
-	return colour * (1 - btScalar(0.8) * d);
+	const btVector3 colour = u < btScalar(0.5) ? drawing.m_unloaded.lerp(drawing.m_half, 2 * u)
+											   : drawing.m_half.lerp(drawing.m_yielding, 2 * u - 1);
+	return colour * (1 - (1 - drawing.m_spent) * d);
 }
 
 static void drawCross(btIDebugDraw& drawer, const btTransform& frame, btScalar size, const btVector3& colour)
@@ -23,15 +31,17 @@ static void drawCross(btIDebugDraw& drawer, const btTransform& frame, btScalar s
 	}
 }
 
-void btElasticPlasticDrawJoint(btIDebugDraw& drawer, const btElasticPlasticJoint& joint)
+void btElasticPlasticDrawJoint(btIDebugDraw& drawer, const btElasticPlasticJoint& joint,
+							   const btElasticPlasticDrawing& drawing)
 {
 	const btTransform frameA = joint.getFrameA(), frameB = joint.getFrameB();
 	const btVector3 &a = joint.getConstraint().getRigidBodyA().getCenterOfMassPosition(),
 					&b = joint.getConstraint().getRigidBodyB().getCenterOfMassPosition();
-	const btVector3 colour = btElasticPlasticColour(joint.getUtilisation(), joint.getDamage());
+	const btVector3 colour = btElasticPlasticColour(joint.getUtilisation(), joint.getDamage(), drawing);
 	// A body's centre may be far away, or that of the fixed world body: a tenth of the nearer one is a size that shows.
-	const btScalar size =
+	const btScalar byBodies =
 		btScalar(0.1) * btSqrt(btMin((frameA.getOrigin() - a).length2() + 1, (frameB.getOrigin() - b).length2() + 1));
+	const btScalar size = drawing.m_size > 0 ? drawing.m_size : byBodies;
 	drawCross(drawer, frameA, size, colour);
 	if (joint.isBroken())
 	{

@@ -9,12 +9,26 @@
 class btIDebugDraw;
 class btElasticPlasticJoint;
 
-/// Colour of a joint: from green (no load) over yellow to red (yield) by its utilisation, fading to black by its damage (0 to
-/// 1). Both are >= 0.
-btVector3 btElasticPlasticColour(btScalar utilisation, btScalar damage);
+/// How joints are drawn.
+struct btElasticPlasticDrawing
+{
+	btVector3 m_unloaded = btVector3(0, 1, 0);  ///< red, green and blue, 0 to 1, without load: green
+	btVector3 m_half = btVector3(1, 1, 0);      ///< half way to yield: yellow
+	btVector3 m_yielding = btVector3(1, 0, 0);  ///< at yield: red
+	btScalar m_spent = btScalar(0.2);           ///< by which colours are multiplied when the ductility is spent, >= 0
+	/// Length of the cross's arms [m], >= 0. 0: a tenth of the way to the nearer body's centre, and at least 0.1 m.
+	btScalar m_size = 0;
+
+	bool isInRange() const;
+};
+
+/// Colour of a joint by its utilisation, with that of its damage (0 to 1). Both are >= 0.
+btVector3 btElasticPlasticColour(btScalar utilisation, btScalar damage,
+								 const btElasticPlasticDrawing& drawing = btElasticPlasticDrawing());
 
 /// Draws a joint as lines from its position to its bodies' centres and its axes' cross there, in its colour;
 /// a broken one as two dark marks, where it was on either body.
-void btElasticPlasticDrawJoint(btIDebugDraw& drawer, const btElasticPlasticJoint& joint);
+void btElasticPlasticDrawJoint(btIDebugDraw& drawer, const btElasticPlasticJoint& joint,
+							   const btElasticPlasticDrawing& drawing = btElasticPlasticDrawing());
 
 #endif  // BT_ELASTIC_PLASTIC_DEBUG_DRAW_H

@@ -13,7 +13,18 @@ class btRigidBody;
 enum btElasticPlasticEventType
 {
 	BT_EP_EVENT_YIELD,  ///< it flowed for the first time
-	BT_EP_EVENT_BREAK   ///< its ductility is spent, or it was broken on purpose; it has left the world
+	BT_EP_EVENT_BREAK,  ///< its ductility is spent, or it was broken on purpose; it has left the world
+	BT_EP_EVENT_LEVEL   ///< a quantity has passed the level set by btElasticPlasticJoint::setLevel
+};
+
+/// What a joint watches for the user.
+enum btElasticPlasticQuantity
+{
+	BT_EP_QUANTITY_FORCE,        ///< length of the applied force, axial and shear [N]
+	BT_EP_QUANTITY_MOMENT,       ///< length of the applied moment, torsion and bending [N m]
+	BT_EP_QUANTITY_UTILISATION,  ///< btElasticPlasticJoint::getUtilisation(), 1 is yield
+	BT_EP_QUANTITY_DAMAGE,       ///< btElasticPlasticJoint::getDamage(), 1 breaks
+	BT_EP_QUANTITY_COUNT
 };
 
 /// An event. The bodies it points to may have been deleted when it is read from the queue.
@@ -24,16 +35,22 @@ struct alignas(16) btElasticPlasticEvent
 	btVector3 m_position;  ///< of the joint, world coordinates [m]
 	btVector3 m_force;     ///< by the joint's axes [N], see btElasticPlasticJoint::getForce and getJointAxis
 	btVector3 m_moment;    ///< by the joint's axes [N m]
+	btVector3
+		m_impulse;  ///< of the joint on body A in the substep, along the world's axes; on body B the opposite [N s]
+	btVector3 m_velocity;  ///< of body B against body A at the joint after the substep, along the world's axes [m/s]
 	double m_time;         ///< sum of the substeps the action has seen [s]
 	double m_energy;       ///< taken up by the joint so far, elastic and plastic [J]
-	btElasticPlasticJoint* m_joint;
+	btElasticPlasticJoint*
+		m_joint;  ///< null if a listener that was told before has deleted it or taken it from its action
 	btRigidBody* m_bodyA;
 	btRigidBody* m_bodyB;
 	btElasticPlasticEventType m_type;
-	int m_dof;  ///< yield: the most used degree of freedom; break: the one with the largest share of ductility spent
+	int m_dof;  ///< the most used degree of freedom; of a break and of damage the one with the largest share of ductility spent
+	btElasticPlasticQuantity m_quantity;  ///< that has passed its level
+	btScalar m_value;                     ///< of that quantity [N], [N m], 1
 };
 
-/// Derive from it to hear of events; give it to btElasticPlasticAction::setListener.
+/// Derive from it to hear of events; give it to btElasticPlasticAction::addListener.
 /// All methods are called at the end of the action's update, when the substep's bookkeeping is done, or from
 /// btElasticPlasticAction::breakJoint: joints, bodies, constraints and the action may be added, removed and deleted there.
 class btElasticPlasticListener
@@ -42,6 +59,7 @@ public:
 	virtual ~btElasticPlasticListener() {}
 	virtual void onYield(const btElasticPlasticEvent&) {}
 	virtual void onBreak(const btElasticPlasticEvent&) {}
+	virtual void onLevel(const btElasticPlasticEvent&) {}
 
 	/// A joint was refused; text names it, the value and the valid range. Called from btElasticPlasticAction::addJoint, from
 	/// btElasticPlasticJoint::setCapacity of a joint that the action knows, from btElasticPlasticJoint::setState, and, once a fault,

@@ -35,6 +35,7 @@ btElasticPlasticJoint* btElasticPlasticJoint::from(btTypedConstraint* constraint
 bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity)
 {
 	btElasticPlastic::JointModel& model = m_works->m_model;
+	const bool isOther = model.m_fault || !capacity.isSameAs(model.m_capacity);
 	// A capacity that was refused has never held.
 	const btElasticPlasticCapacity former = model.m_fault ? capacity : model.m_capacity;
 	model.m_capacity = capacity;
@@ -49,9 +50,9 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (capacity.isElasticPlastic(i))
 			releaseBase(i);
-	if (!isBaseActive())
-		m_works->m_model.m_constraint.setDbgDrawSize(0);
 	model.takeCapacity(former);
+	if (isOther)
+		m_works->wakeBodies();
 	return true;
 }
 
@@ -73,6 +74,17 @@ void btElasticPlasticJoint::setReferenceToCurrentPose()
 {
 	m_works->m_model.setReferenceToCurrentPose();
 	m_works->m_step.revert();
+	m_works->wakeBodies();
+}
+
+bool btElasticPlasticJoint::setLevel(btElasticPlasticQuantity quantity, btScalar level)
+{
+	return m_works->m_levels.set(quantity, level);
+}
+
+btScalar btElasticPlasticJoint::getLevel(btElasticPlasticQuantity quantity) const
+{
+	return m_works->m_levels.get(quantity);
 }
 
 bool btElasticPlasticJoint::setState(const btElasticPlasticState& state) { return m_works->setState(state); }
@@ -119,6 +131,25 @@ btScalar btElasticPlasticJoint::getDamage(int dof) const
 }
 
 btScalar btElasticPlasticJoint::getDamage() const { return m_works->m_model.damage(); }
+
+btScalar btElasticPlasticJoint::getQuantity(btElasticPlasticQuantity quantity) const
+{
+	const btScalar* const applied = getState().m_applied;
+	switch (quantity)
+	{
+		case BT_EP_QUANTITY_FORCE:
+			return btVector3(applied[0], applied[1], applied[2]).length();
+		case BT_EP_QUANTITY_MOMENT:
+			return btVector3(applied[3], applied[4], applied[5]).length();
+		case BT_EP_QUANTITY_UTILISATION:
+			return getUtilisation();
+		case BT_EP_QUANTITY_DAMAGE:
+			return getDamage();
+		case BT_EP_QUANTITY_COUNT:
+			break;
+	}
+	return 0;
+}
 
 btScalar btElasticPlasticJoint::getUtilisation(int dof) const
 {

@@ -6,6 +6,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "btElasticPlasticCapacity.h"
+#include "btElasticPlasticEvent.h"
 #include "btElasticPlasticPrecision.h"
 #include "btElasticPlasticState.h"
 
@@ -32,7 +33,6 @@ public:
 	/// a yield value are as Bullet's class made them: translations locked, rotations free, unless set.
 	/// Before or after btDynamicsWorld::addConstraint, also while running. Frames that do not meet load the joint from the
 	/// first step; only a misfit of the size of rounding is taken for none (setReferenceToCurrentPose() takes any).
-	/// A joint that has nothing else is no more drawn by Bullet itself (setDbgDrawSize(0)), but by btElasticPlasticAction.
 	/// \return false, and the joint stays out of the simulation until it gets a valid capacity, if the capacity or the bodies
 	/// have a fault (see fault()); the listener of the joint's action is told.
 	bool setCapacity(const btElasticPlasticCapacity& capacity);
@@ -45,6 +45,16 @@ public:
 	/// For error messages and reports; up to 31 characters are kept. Default: empty.
 	void setName(const char* name);
 	const char* getName() const { return m_name; }
+
+	/// Has an event come (BT_EP_EVENT_LEVEL) when a quantity of the joint rises to a level, and again once it has been below nine
+	/// tenths of it meanwhile. Nothing else happens: the joint does not break by it.
+	/// \param level  > 0, in the quantity's unit; btElasticPlasticCapacity::unlimited(), the default: no event
+	/// \return false, and nothing changes, if the quantity is none or the level out of its range
+	bool setLevel(btElasticPlasticQuantity quantity, btScalar level);
+	btScalar getLevel(btElasticPlasticQuantity quantity) const;
+
+	/// The present value of a quantity, of what was applied in the last substep; 0 of what is none.
+	btScalar getQuantity(btElasticPlasticQuantity quantity) const;
 
 	/// Makes the bodies' present pose the one without force, keeping plastic deformation as it is counted.
 	void setReferenceToCurrentPose();
@@ -151,6 +161,9 @@ protected:
 
 	/// Does Bullet's class have a limit, motor or spring on any degree of freedom?
 	virtual bool isBaseActive() = 0;
+
+	/// Brings the frames that Bullet draws under btIDebugDraw::DBG_DrawConstraints to where the bodies are.
+	virtual void updateDrawnFrames() = 0;
 
 	// What Bullet asks a constraint, for the elastic-plastic part of it.
 

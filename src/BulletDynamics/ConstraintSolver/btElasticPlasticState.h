@@ -30,6 +30,11 @@ struct btElasticPlasticState
 	double m_work = 0;               ///< taken from the bodies [J]
 	double m_plasticEnergy = 0;      ///< dissipated by plastic flow, force at yield times path [J]
 	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
+	btScalar m_watched[6] = {};      ///< deformation, elastic and plastic, when the load last changed [m], [rad]
+	unsigned m_passedLevels =
+		0;  ///< bit q: quantity q (btElasticPlasticQuantity) has passed its level and not fallen below it
+	unsigned long long m_supportDigest =
+		0;  ///< of the static or kinematic body's transform as it was last; 0: not seen, 1: none
 
 	/// Linear offset of the reference, plastic and initial [m].
 	btVector3 offset() const

@@ -9,21 +9,27 @@
 
 namespace btElasticPlastic
 {
-/// Where a joint's unread events are in the queue, by type; -1: there is none.
+/// Where a joint's unread events are in the queue, by kind: yield, break, and the quantities whose level was passed; -1: there is none.
 struct UnreadEvents
 {
-	int m_index[2] = {-1, -1};
+	int m_index[2 + BT_EP_QUANTITY_COUNT] = {-1, -1, -1, -1, -1, -1};
+
+	int& of(const btElasticPlasticEvent& event)
+	{
+		return m_index[event.m_type == BT_EP_EVENT_LEVEL ? 2 + int(event.m_quantity) : int(event.m_type)];
+	}
 };
 
-/// Events that nobody has read yet, in the order in which they happened. It holds the newest of each joint and type: a joint
+/// Events that nobody has read yet, in the order in which they happened. It holds the newest of each joint and kind: a joint
 /// that is repaired and breaks again and again takes no more room.
 class EventQueue
 {
 public:
 	void push(const btElasticPlasticEvent& event, UnreadEvents& ofJoint)
 	{
-		remove(ofJoint.m_index[event.m_type]);
-		m_events.append({event, &ofJoint.m_index[event.m_type]});
+		int& index = ofJoint.of(event);
+		remove(index);
+		m_events.append({event, &index});
 	}
 
 	/// \return false if there is none

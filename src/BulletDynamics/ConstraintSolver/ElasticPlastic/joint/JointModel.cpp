@@ -31,6 +31,15 @@ void JointModel::measure(Kinematics& kinematics) const
 	}
 }
 
+btScalar JointModel::strainRounding(int dof) const
+{
+	const btScalar size = dof < 3 ? bodyA().getCenterOfMassPosition().length() + m_frameInA.getOrigin().length() +
+										bodyB().getCenterOfMassPosition().length() + m_frameInB.getOrigin().length()
+								  : btScalar(1);
+	// A strain is computed from the world's coordinates with eight roundings of half SIMD_EPSILON each.
+	return 4 * SIMD_EPSILON * size;
+}
+
 RelativeRotation JointModel::relativeRotation() const
 {
 	return RelativeRotation(frameA().getBasis(), frameB().getBasis(), m_state.m_plasticRotation,
@@ -117,6 +126,7 @@ btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
 				  {"the state's plastic deformation", state.m_plastic, BT_EP_DOF_COUNT},
 				  {"the state's plastic path", state.m_plasticPath, BT_EP_DOF_COUNT},
 				  {"the state's withheld deformation", state.m_withheld, BT_EP_DOF_COUNT},
+				  {"the state's watched deformation", state.m_watched, BT_EP_DOF_COUNT},
 				  {"the state's initial offset", state.m_initial, 3}};
 	for (const auto& array : arrays)
 		for (int i = 0; i < array.m_count; ++i)
@@ -217,13 +227,10 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 /// would be a noticeable force in a stiff joint. A larger misfit is intended by the user, and loads the joint.
 void JointModel::takeRoundingAsReference()
 {
-	const btScalar size = bodyA().getCenterOfMassPosition().length() + m_frameInA.getOrigin().length() +
-						  bodyB().getCenterOfMassPosition().length() + m_frameInB.getOrigin().length();
 	Kinematics now;
 	measure(now);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		// A strain is computed from the world's coordinates with eight roundings of half SIMD_EPSILON each.
-		if (btFabs(now.m_strain[i]) > 4 * SIMD_EPSILON * (i < 3 ? size : 1))
+		if (btFabs(now.m_strain[i]) > strainRounding(i))
 			return;
 	setReferenceToCurrentPose();
 }

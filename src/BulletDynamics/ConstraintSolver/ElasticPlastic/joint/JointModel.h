@@ -41,6 +41,9 @@ struct JointModel
 	/// Axes, arms and elastic deformation at the bodies' present transforms.
 	void measure(Kinematics& kinematics) const;
 
+	/// What rounding may make of a strain that is measured at the bodies' present transforms [m], [rad].
+	btScalar strainRounding(int dof) const;
+
 	/// What keeps the joint out of the simulation until it is set anew: a fault of its capacity, its frames or its bodies.
 	btElasticPlasticFault findFault() const;
 

@@ -4,8 +4,11 @@
 #include "JointRegistry.h"
 
 #include "../../btElasticPlasticJoint.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btHashMap.h"
+#include "LinearMath/btIDebugDraw.h"
 #include "../Prefetch.h"
 #include "JointWorks.h"
 
@@ -95,10 +98,43 @@ void JointRegistry::remove(JointWorks& joint)
 	m_events.forget(joint.m_entry.m_events);
 	(isBroken(joint) ? m_broken : m_joints).remove(joint.m_entry.m_index);
 	joint.m_entry.m_registry = nullptr;
+	if (m_told && m_told->m_joint == &joint.m_joint)
+		m_told->m_joint = nullptr;
+}
+
+void JointRegistry::wake(btRigidBody& body)
+{
+	const bool slept = !body.isActive();
+	body.activate();
+	// Bullet gives bodies their weight before the first substep, and takes it off after the last one.
+	if (slept && body.isActive() && m_isCommitting)
+		body.applyGravity();
+}
+
+/// Wakes what a body of a world touches or is joined to: it may have stood on it.
+void JointRegistry::wakeNeighbours(btDynamicsWorld& world, btRigidBody& body)
+{
+	for (int i = 0; i < world.getNumConstraints(); ++i)
+		if (joins(*world.getConstraint(i), body))
+		{
+			wake(world.getConstraint(i)->getRigidBodyA());
+			wake(world.getConstraint(i)->getRigidBodyB());
+		}
+	btDispatcher& dispatcher = *world.getDispatcher();
+	for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+	{
+		const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+		const btCollisionObject* const bodies[2] = {manifold.getBody0(), manifold.getBody1()};
+		for (int side = 0; side < 2; ++side)
+			if (bodies[side] == &body && manifold.getNumContacts() > 0)
+				if (btRigidBody* other = btRigidBody::upcast(const_cast<btCollisionObject*>(bodies[1 - side])))
+					wake(*other);
+	}
 }
 
 void JointRegistry::removeBody(btDynamicsWorld& world, btRigidBody& body)
 {
+	wakeNeighbours(world, body);
 	for (int i = world.getNumConstraints() - 1; i >= 0; --i)
 		if (joins(*world.getConstraint(i), body))
 			world.removeConstraint(world.getConstraint(i));
@@ -124,8 +160,7 @@ bool JointRegistry::breakJoint(btDynamicsWorld& world, JointWorks& joint)
 	joint.m_step.revert();
 	moveToBroken(joint);
 	removeBrokenFromWorld(world);
-	joint.m_model.bodyA().activate();
-	joint.m_model.bodyB().activate();
+	joint.wakeBodies();
 	// Called by a listener, the event comes after the one that it is being told.
 	if (!m_isDeleted)
 		deliver();
@@ -149,6 +184,7 @@ bool JointRegistry::putBack(JointWorks& joint)
 	if (entry.m_world)
 		entry.m_world->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
 	m_joints.append({&joint, nullptr, false});
+	joint.m_entry.m_worldIndex = 0;
 	return true;
 }
 
@@ -159,8 +195,7 @@ bool JointRegistry::repair(JointWorks& joint)
 	joint.m_model.m_state = btElasticPlasticState();
 	joint.m_model.setReferenceToCurrentPose();
 	joint.m_step.revert();
-	joint.m_model.bodyA().activate();
-	joint.m_model.bodyB().activate();
+	joint.wakeBodies();
 	return true;
 }
 
@@ -205,13 +240,16 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 		return;
 	m_time += timeStep;
 	m_world = &world;
+	m_isCommitting = true;
 	m_joints.closeGaps();
 	m_broken.closeGaps();
-	commitJoints();
+	commitJoints(world);
 	removeBrokenFromWorld(world);
 	endSeparations();
 	tellLeftOut(world);
-	deliver();
+	updateDrawnFrames(world);
+	if (deliver())
+		m_isCommitting = false;
 }
 
 /// A step that is not finite or not above 0 does nothing to joints.
@@ -224,14 +262,40 @@ bool JointRegistry::isStep(btScalar timeStep)
 		char text[128];
 		btElasticPlasticFault("time step [s]", timeStep, "finite and greater than 0: joints do nothing in it")
 			.print(text, sizeof text);
-		btElasticPlasticListener printer;
-		(m_listener ? m_listener : &printer)->onBadStep(timeStep, text);
+		tellAll([&](btElasticPlasticListener& listener) { listener.onBadStep(timeStep, text); });
 	}
 	m_isStepTold = true;
 	return false;
 }
 
-void JointRegistry::commitJoints()
+namespace
+{
+/// Whether a joint's constraint is in the world. One that has left it may have bodies that are deleted. The place in the world's list
+/// is kept: it hardly ever changes.
+bool isInWorld(const btDynamicsWorld& world, JointWorks& joint)
+{
+	int& index = joint.m_entry.m_worldIndex;
+	const btTypedConstraint* const constraint = &joint.m_model.m_constraint;
+	if (joint.wasInStep() && index < 0)
+		index = 0;
+	if (index < 0 || (index < world.getNumConstraints() && world.getConstraint(index) == constraint))
+		return index >= 0;
+	for (index = world.getNumConstraints() - 1; index >= 0 && world.getConstraint(index) != constraint;)
+		--index;
+	return index >= 0;
+}
+}  // namespace
+
+/// To be asked after the joint's commit. Of sleeping joints those are looked at that stand on something.
+bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint) const
+{
+	if (!(m_wakingShare < btElasticPlasticCapacity::unlimited()))
+		return false;
+	const bool mayBeWatched = joint.wasInStep() || (joint.mayHaveSupport() && isInWorld(world, joint));
+	return mayBeWatched && joint.isLoadChanging(m_wakingShare);
+}
+
+void JointRegistry::commitJoints(const btDynamicsWorld& world)
 {
 	const bool isLarge = m_joints.getEnd() > MANY_JOINTS;
 	m_leftOut.resize(0);
@@ -240,10 +304,14 @@ void JointRegistry::commitJoints()
 		if (isLarge && i + PREFETCH_AHEAD < m_joints.getEnd())
 			prefetch(*m_joints[i + PREFETCH_AHEAD].m_joint);
 		JointWorks& joint = *m_joints[i].m_joint;
-		const bool wasInStep = joint.m_step.getNumCommittedRows() > 0;
+		const bool wasInStep = joint.wasInStep();
 		const int outcome = joint.commit();
-		if (wasInStep && joint.m_step.getNumCommittedRows() == 0)
+		if (wasInStep && !joint.wasInStep())
 			m_leftOut.push_back(&joint);
+		if (hasToStayAwake(world, joint))
+			joint.wakeBodies();
+		if (joint.m_levels.isAnySet() && joint.wasInStep())
+			reportLevels(joint);
 		if (outcome & JointStep::YIELDED)
 			report(BT_EP_EVENT_YIELD, joint);
 		if (outcome & JointStep::BROKE)
@@ -274,7 +342,7 @@ void JointRegistry::removeBrokenFromWorld(btDynamicsWorld& world)
 bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 {
 	btTypedConstraint& constraint = joint.m_model.m_constraint;
-	const bool wasInStep = joint.m_step.getNumCommittedRows() > 0;
+	const bool wasInStep = joint.wasInStep();
 	// One that a state has made broken need not be in the world, and then its bodies may be deleted.
 	if (!wasInStep && !isIn(world, constraint))
 		return true;
@@ -288,8 +356,8 @@ bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 	}
 	if (wasInStep)
 	{
-		a.activate();
-		b.activate();
+		wake(a);
+		wake(b);
 	}
 	return kept;
 }
@@ -338,6 +406,17 @@ void JointRegistry::endSeparation(JointWorks& joint)
 		m_token.leave();
 }
 
+/// Bullet's class brings its frames along only where it has rows.
+void JointRegistry::updateDrawnFrames(btDynamicsWorld& world)
+{
+	const btIDebugDraw* const drawer = world.getDebugDrawer();
+	if (!drawer || !(drawer->getDebugMode() & btIDebugDraw::DBG_DrawConstraints))
+		return;
+	for (int i = 0; i < m_joints.getEnd(); ++i)
+		if (!m_joints[i].isGap() && m_joints[i].m_joint->wasInStep())
+			m_joints[i].m_joint->updateDrawnFrames();
+}
+
 // ---- snapshots
 
 void JointRegistry::arrange(btDynamicsWorld& world, const Standing* joints, int numJoints, double time)
@@ -348,6 +427,7 @@ void JointRegistry::arrange(btDynamicsWorld& world, const Standing* joints, int 
 		JointWorks& joint = *joints[i].m_joint;
 		m_events.forget(joint.m_entry.m_events);
 		endSeparation(joint);
+		joint.m_entry.m_worldIndex = 0;
 		entries.push_back(isBroken(joint) ? m_broken[joint.m_entry.m_index] : Entry{&joint, nullptr, false});
 	}
 	m_joints.clear();
@@ -389,14 +469,30 @@ void JointRegistry::addEvent(const btElasticPlasticEvent& event, JointWorks& joi
 
 // ---- events
 
+void JointRegistry::addListener(btElasticPlasticListener* listener)
+{
+	if (listener && m_listeners.findLinearSearch(listener) == m_listeners.size())
+		m_listeners.push_back(listener);
+}
+
+/// Without a listener the default one is told, which prints.
+template <class Call>
+void JointRegistry::tellAll(const Call& call)
+{
+	btElasticPlasticListener printer;
+	if (m_listeners.size() == 0)
+		call(printer);
+	for (int i = 0; i < m_listeners.size(); ++i)
+		call(*m_listeners[i]);
+}
+
 void JointRegistry::refuse(btElasticPlasticJoint& joint, const char* text)
 {
 	const std::lock_guard<std::recursive_mutex> lock(m_refusal);
-	btElasticPlasticListener printer;
-	(m_listener ? m_listener : &printer)->onRefused(joint, text);
+	tellAll([&](btElasticPlasticListener& listener) { listener.onRefused(joint, text); });
 }
 
-void JointRegistry::report(btElasticPlasticEventType type, JointWorks& works)
+void JointRegistry::report(btElasticPlasticEventType type, JointWorks& works, btElasticPlasticQuantity quantity)
 {
 	btElasticPlasticJoint& joint = works.m_joint;
 	btElasticPlasticEvent event;
@@ -409,9 +505,14 @@ void JointRegistry::report(btElasticPlasticEventType type, JointWorks& works)
 	event.m_moment.setValue(joint.getForce(3), joint.getForce(4), joint.getForce(5));
 	event.m_energy = joint.getPlasticEnergy() + joint.getElasticEnergy();
 	event.m_time = m_time;
+	event.m_quantity = quantity;
+	event.m_value = joint.getQuantity(quantity);
+	event.m_impulse = works.appliedImpulse();
+	event.m_velocity = works.relativeVelocity();
 	joint.getUtilisation(&event.m_dof);
 	// If no force is applied, the decisive degree of freedom is the one with the largest damage, as in a break.
-	if (type == BT_EP_EVENT_BREAK || !btElasticPlasticIsDof(event.m_dof))
+	const bool isByDamage = type == BT_EP_EVENT_BREAK || quantity == BT_EP_QUANTITY_DAMAGE;
+	if (isByDamage || !btElasticPlasticIsDof(event.m_dof))
 	{
 		event.m_dof = 0;
 		for (int i = 1; i < BT_EP_DOF_COUNT; ++i)
@@ -421,22 +522,54 @@ void JointRegistry::report(btElasticPlasticEventType type, JointWorks& works)
 	m_events.push(event, works.m_entry.m_events);
 }
 
+void JointRegistry::reportLevels(JointWorks& joint)
+{
+	for (int q = 0; q < BT_EP_QUANTITY_COUNT; ++q)
+	{
+		const btElasticPlasticQuantity quantity = btElasticPlasticQuantity(q);
+		if (joint.m_levels.pass(quantity, joint.m_joint.getQuantity(quantity), joint.m_model.m_state.m_passedLevels))
+			report(BT_EP_EVENT_LEVEL, joint, quantity);
+	}
+}
+
+/// Tells all listeners of an event. They may add and remove listeners, joints, and the registry itself.
+/// \param isDeleted  becomes true when the registry is deleted
+void JointRegistry::tell(btElasticPlasticEvent& event, const bool& isDeleted)
+{
+	const btAlignedObjectArray<btElasticPlasticListener*> listeners = m_listeners;
+	for (int i = 0; i < listeners.size() && !isDeleted; ++i)
+	{
+		if (m_listeners.findLinearSearch(listeners[i]) == m_listeners.size())
+			continue;
+		if (event.m_type == BT_EP_EVENT_YIELD)
+			listeners[i]->onYield(event);
+		else if (event.m_type == BT_EP_EVENT_BREAK)
+			listeners[i]->onBreak(event);
+		else
+			listeners[i]->onLevel(event);
+	}
+}
+
 /// Takes events from the queue one by one: the listener may delete joints, whose events then leave the queue, and the action
 /// itself.
-void JointRegistry::deliver()
+/// \return whether the registry still exists
+bool JointRegistry::deliver()
 {
 	bool isDeleted = false;
 	bool* const outer = m_isDeleted;
 	m_isDeleted = &isDeleted;
 	btElasticPlasticEvent event;
-	while (!isDeleted && m_listener && m_events.pop(event))
-		if (event.m_type == BT_EP_EVENT_YIELD)
-			m_listener->onYield(event);
-		else
-			m_listener->onBreak(event);
+	btElasticPlasticEvent* const toldOutside = m_told;
+	m_told = &event;
+	while (!isDeleted && m_listeners.size() > 0 && m_events.pop(event))
+		tell(event, isDeleted);
 	if (!isDeleted)
+	{
 		m_isDeleted = outer;
+		m_told = toldOutside;
+	}
 	else if (outer)
 		*outer = true;
+	return !isDeleted;
 }
 }  // namespace btElasticPlastic

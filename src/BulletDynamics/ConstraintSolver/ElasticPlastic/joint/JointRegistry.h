@@ -52,12 +52,21 @@ public:
 	/// Finds the joints that hold and are in a world, in the order in which they were added here.
 	void findHolding(const btDynamicsWorld& world, btAlignedObjectArray<JointWorks*>& joints);
 
-	void setListener(btElasticPlasticListener* listener) { m_listener = listener; }
+	/// Adds a listener that is not there, unless it is null.
+	void addListener(btElasticPlasticListener* listener);
+	void removeListener(btElasticPlasticListener* listener) { m_listeners.remove(listener); }
+	void removeListeners() { m_listeners.resize(0); }
 	bool popEvent(btElasticPlasticEvent& event) { return m_events.pop(event); }
 	EventQueue& getEvents() { return m_events; }
 	double getTime() const { return m_time; }
 
-	/// Tells the listener that a joint was refused; without a listener, prints the text to the standard error output.
+	void setWakingShare(btScalar share) { m_wakingShare = share; }
+	btScalar getWakingShare() const { return m_wakingShare; }
+
+	/// Wakes a body, with its weight in what is left of the step.
+	void wake(btRigidBody& body);
+
+	/// Tells listeners that a joint was refused; without one, prints the text to the standard error output.
 	void refuse(btElasticPlasticJoint& joint, const char* text);
 
 	// ---- for snapshots
@@ -101,14 +110,22 @@ private:
 
 	bool isBroken(const JointWorks& joint);
 	void removeJointsOf(const btRigidBody& body, List& list);
-	void commitJoints();
+	void commitJoints(const btDynamicsWorld& world);
+	bool hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint) const;
+	void wakeNeighbours(btDynamicsWorld& world, btRigidBody& body);
 	void tellLeftOut(const btDynamicsWorld& world);
 	void removeBrokenFromWorld(btDynamicsWorld& world);
 	bool removeFromWorld(btDynamicsWorld& world, JointWorks& joint);
 	void endSeparations();
 	void endSeparation(JointWorks& joint);
-	void report(btElasticPlasticEventType type, JointWorks& joint);
-	void deliver();
+	void report(btElasticPlasticEventType type, JointWorks& joint,
+				btElasticPlasticQuantity quantity = BT_EP_QUANTITY_COUNT);
+	void reportLevels(JointWorks& joint);
+	void tell(btElasticPlasticEvent& event, const bool& isDeleted);
+	template <class Call>
+	void tellAll(const Call& call);
+	void updateDrawnFrames(btDynamicsWorld& world);
+	bool deliver();
 	bool isStep(btScalar timeStep);
 
 	List m_joints;  ///< those that hold
@@ -116,16 +133,19 @@ private:
 	btAlignedObjectArray<JointWorks*>
 		m_leftOut;  ///< those that hold, and were in the substep before, but not in this one
 	EventQueue m_events;
-	btElasticPlasticListener* m_listener = nullptr;
+	btAlignedObjectArray<btElasticPlasticListener*> m_listeners;
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;
-	int m_numNumbers = 0;         ///< that joints have got
-	int m_numSeparations = 0;     ///< broken joints whose bodies still overlap
-	WorldToken m_token;           ///< in the world while there are any
-	bool* m_isDeleted = nullptr;  ///< set by the destructor while events are delivered
-	bool m_isStepTold = false;    ///< whether the listener was told of a bad step
-	bool m_hasNew = false;        ///< whether joints have been added since the last substep
+	int m_numNumbers = 0;                     ///< that joints have got
+	btScalar m_wakingShare = btScalar(0.05);  ///< see btElasticPlasticAction::setWakingShare
+	bool m_isCommitting = false;              ///< whether a substep is being ended
+	int m_numSeparations = 0;                 ///< broken joints whose bodies still overlap
+	WorldToken m_token;                       ///< in the world while there are any
+	bool* m_isDeleted = nullptr;              ///< set by the destructor while events are delivered
+	btElasticPlasticEvent* m_told = nullptr;  ///< the event that listeners are being told
+	bool m_isStepTold = false;                ///< whether the listener was told of a bad step
+	bool m_hasNew = false;                    ///< whether joints have been added since the last substep
 };
 }  // namespace btElasticPlastic
 

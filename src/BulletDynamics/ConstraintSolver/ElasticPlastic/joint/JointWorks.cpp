@@ -11,6 +11,7 @@
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "Diagonal.h"
 #include "JointRegistry.h"
+#include "LoadWatch.h"
 
 namespace btElasticPlastic
 {
@@ -310,5 +311,41 @@ int JointWorks::commit()
 	if (m_step.getNumRows() > 0 && m_request == WHOLE_ROWS)
 		m_feedback.decode(m_model.m_constraint, m_step);
 	return m_step.commit();
+}
+
+bool JointWorks::mayHaveSupport() const { return m_model.m_dofs != 0 && LoadWatch::mayHaveSupport(m_model.m_state); }
+
+bool JointWorks::isLoadChanging(btScalar share)
+{
+	LoadWatch watch(m_model);
+	const bool hasDeformed = wasInStep() && watch.hasDeformed(m_step.getKinematics().m_strain, share);
+	return watch.hasSupportMoved() || hasDeformed;
+}
+
+btVector3 JointWorks::appliedImpulse() const
+{
+	const Kinematics& k = m_step.getKinematics();
+	btVector3 force(0, 0, 0);
+	for (int i = 0; i < 3; ++i)
+		force += k.m_axis[i] * m_model.m_state.m_applied[i];
+	return force * m_model.m_state.m_lastStep;
+}
+
+btVector3 JointWorks::relativeVelocity() const
+{
+	const btRigidBody &a = m_model.bodyA(), &b = m_model.bodyB();
+	const btVector3 place = m_joint.getPosition();
+	return b.getVelocityInLocalPoint(place - b.getCenterOfMassPosition()) -
+		   a.getVelocityInLocalPoint(place - a.getCenterOfMassPosition());
+}
+
+void JointWorks::updateDrawnFrames() { m_joint.updateDrawnFrames(); }
+
+void JointWorks::wakeBodies()
+{
+	if (!m_entry.m_registry)
+		return;
+	m_entry.m_registry->wake(m_model.bodyA());
+	m_entry.m_registry->wake(m_model.bodyB());
 }
 }  // namespace btElasticPlastic

@@ -6,6 +6,7 @@
 
 #include "EventQueue.h"
 #include "JointStep.h"
+#include "Levels.h"
 #include "Separation.h"
 #include "StockFeedback.h"
 
@@ -22,6 +23,7 @@ struct RegistryEntry
 	JointRegistry* m_registry = nullptr;  ///< null: no action knows the joint
 	int m_index = 0;                      ///< in the registry's list of joints that hold, or of those that are broken
 	int m_number = 0;                     ///< of the joint in the order in which the registry has got to know them
+	int m_worldIndex = 0;                 ///< in the world's list of constraints, as it was last; -1: it was not there
 	UnreadEvents m_events;
 };
 
@@ -87,6 +89,27 @@ public:
 	/// Ends the step. \return JointStep::Outcome
 	int commit();
 
+	/// Whether the last commit ended a step that the joint had a part in.
+	bool wasInStep() const { return m_step.getNumCommittedRows() > 0; }
+
+	/// Whether the joint has stood on a static or kinematic body, or has not been looked at yet.
+	bool mayHaveSupport() const;
+
+	/// Whether the joint's bodies must not sleep: its load has changed, it flows, or what it stands on moves.
+	/// To be called after commit(), while the bodies exist.
+	/// \param share  of the yield value; see LoadWatch
+	bool isLoadChanging(btScalar share);
+
+	/// What the joint has given body A in the last step [N s], and how fast body B moves against body A at the joint [m/s], in world
+	/// axes.
+	btVector3 appliedImpulse() const;
+	btVector3 relativeVelocity() const;
+
+	void updateDrawnFrames();
+
+	/// Wakes both bodies, if an action knows the joint.
+	void wakeBodies();
+
 	/// Hides the constraint from Bullet's islands, or shows it again.
 	void setOutOfIslands(bool isOut);
 
@@ -144,6 +167,7 @@ public:
 	JointStep m_step;
 	RegistryEntry m_entry;
 	Separation m_separation;
+	Levels m_levels;
 	int m_islandId =
 		0;  ///< the id by which the direct form finds the kept factor of the joint's island; 0: none; less: not to be used
 

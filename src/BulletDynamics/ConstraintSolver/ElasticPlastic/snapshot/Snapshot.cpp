@@ -53,6 +53,7 @@ bool isFinite(const btElasticPlasticState& state)
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		sum += double(state.m_plastic[dof]) + double(state.m_force[dof]) + double(state.m_forceRate[dof]) +
 			   double(state.m_withheld[dof]) + double(state.m_applied[dof]) + double(state.m_plasticPath[dof]) +
+			   double(state.m_watched[dof]) +
 			   double(dof < 3 ? state.m_initial[dof] : 0);
 	return btElasticPlasticIsFinite(sum);
 }
@@ -143,6 +144,8 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 	image.m_bodies[1] = rankOf(model.bodyB());
 	image.m_state = model.m_state;
 	image.m_capacity = model.m_capacity;
+	for (int q = 0; q < BT_EP_QUANTITY_COUNT; ++q)
+		image.m_levels[q] = joint.m_levels.get(btElasticPlasticQuantity(q));
 	image.m_dofs = model.m_dofs;
 	image.m_isPaper = model.m_isPaper;
 	image.m_hasReference = model.m_hasReference;
@@ -164,6 +167,7 @@ std::vector<EventImage> Snapshot::readEvents() const
 		image.m_event = m_registry.getEvents().get(i);
 		image.m_joint = JointWorks::from(&image.m_event.m_joint->getConstraint())->m_entry.m_number;
 		image.m_type = image.m_event.m_type;
+		image.m_quantity = image.m_event.m_quantity;
 		images.push_back(image);
 	}
 	return images;
@@ -387,7 +391,9 @@ bool Snapshot::areEventsSound(const WorldImage& image) const
 {
 	for (const EventImage& event : image.m_events)
 		if (event.m_joint < 0 || size_t(event.m_joint) >= m_joints.size() || !m_joints[size_t(event.m_joint)] ||
-			(event.m_type != BT_EP_EVENT_YIELD && event.m_type != BT_EP_EVENT_BREAK) ||
+			event.m_type < BT_EP_EVENT_YIELD || event.m_type > BT_EP_EVENT_LEVEL || event.m_quantity < 0 ||
+			event.m_quantity > BT_EP_QUANTITY_COUNT ||
+			(event.m_type == BT_EP_EVENT_LEVEL && event.m_quantity == BT_EP_QUANTITY_COUNT) ||
 			!btElasticPlasticIsDof(event.m_event.m_dof))
 			return false;
 	return true;
@@ -424,6 +430,8 @@ void Snapshot::writeRegistry(const WorldImage& image)
 		JointWorks& joint = *m_joints[size_t(from.m_number)];
 		joint.m_model.m_state = from.m_state;
 		joint.m_model.m_capacity = from.m_capacity;
+		for (int q = 0; q < BT_EP_QUANTITY_COUNT; ++q)
+			joint.m_levels.set(btElasticPlasticQuantity(q), from.m_levels[q]);
 		joint.m_model.m_dofs = from.m_dofs;
 		joint.m_model.m_isPaper = from.m_isPaper;
 		joint.m_model.m_hasReference = from.m_hasReference;
@@ -440,6 +448,7 @@ void Snapshot::writeRegistry(const WorldImage& image)
 		JointWorks& joint = *m_joints[size_t(from.m_joint)];
 		btElasticPlasticEvent event = from.m_event;
 		event.m_type = btElasticPlasticEventType(from.m_type);
+		event.m_quantity = btElasticPlasticQuantity(from.m_quantity);
 		event.m_joint = &joint.m_joint;
 		event.m_bodyA = &joint.m_model.bodyA();
 		event.m_bodyB = &joint.m_model.bodyB();

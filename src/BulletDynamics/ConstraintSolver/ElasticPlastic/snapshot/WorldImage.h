@@ -66,6 +66,9 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	archive(state.m_work);
 	archive(state.m_plasticEnergy);
 	transfer(archive, state.m_plasticPath);
+	transfer(archive, state.m_watched);
+	archive(state.m_passedLevels);
+	archive(state.m_supportDigest);
 }
 
 template <class Archive>
@@ -85,6 +88,7 @@ struct JointImage
 	int m_bodies[2] = {-1, -1};  ///< ranks, -1: in no world
 	btElasticPlasticState m_state;
 	btElasticPlasticCapacity m_capacity;
+	btScalar m_levels[BT_EP_QUANTITY_COUNT] = {};
 	unsigned m_dofs = 0;
 	bool m_isPaper = false, m_hasReference = false, m_isEnabled = true;
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};
@@ -100,6 +104,7 @@ void transfer(Archive& archive, JointImage& image)
 	transfer(archive, image.m_bodies);
 	transfer(archive, image.m_state);
 	transfer(archive, image.m_capacity);
+	transfer(archive, image.m_levels);
 	archive(image.m_dofs);
 	archive(image.m_isPaper);
 	archive(image.m_hasReference);
@@ -135,7 +140,7 @@ void transfer(Archive& archive, ConstraintImage& image)
 struct EventImage
 {
 	btElasticPlasticEvent m_event;  ///< without pointers
-	int m_joint = 0, m_type = 0;
+	int m_joint = 0, m_type = 0, m_quantity = 0;
 };
 
 template <class Archive>
@@ -143,12 +148,16 @@ void transfer(Archive& archive, EventImage& image)
 {
 	archive(image.m_joint);
 	archive(image.m_type);
+	archive(image.m_quantity);
+	archive(image.m_event.m_value);
 	archive(image.m_event.m_dof);
 	archive(image.m_event.m_time);
 	archive(image.m_event.m_energy);
 	transfer(archive, image.m_event.m_position);
 	transfer(archive, image.m_event.m_force);
 	transfer(archive, image.m_event.m_moment);
+	transfer(archive, image.m_event.m_impulse);
+	transfer(archive, image.m_event.m_velocity);
 }
 
 template <class Archive>
