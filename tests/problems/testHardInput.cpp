@@ -146,6 +146,7 @@ TEST(HardInput, SectionsAndLengths)
 					"finite and greater than 0");
 		expectNames(Scene().refusalOf(from(Section::circle(bad))), "section radius", "is", "finite and greater than 0");
 		expectNames(Scene().refusalOf(from(Section::hollowCircle(1, bad))), "section wall", "is", "greater than 0");
+		expectNames(Scene().refusalOf(from(Section::tube(1, bad))), "section inner radius", "is", "greater than 0");
 		expectNames(Scene().refusalOf(from(Section::hollowRectangle(1, 1, bad))), "section wall", "is",
 					"greater than 0");
 		expectNames(Scene().refusalOf(from(Section::iSection(1, 1, bad, btScalar(0.1)))), "section web", "is",
@@ -155,7 +156,12 @@ TEST(HardInput, SectionsAndLengths)
 	}
 	// Two wrongs do not make a right: the product of negative sides is positive.
 	expectNames(Scene().refusalOf(from(Section::rectangle(-1, -1))), "section width", "-1", "greater than 0");
-	expectNames(Scene().refusalOf(from(Section::hollowCircle(1, 2))), "section wall", "is 2", "less than the radius");
+	// An inner radius in place of a wall.
+	for (btScalar wall : {btScalar(2), btScalar(0.925)})
+		expectNames(Scene().refusalOf(from(Section::hollowCircle(1, wall))), "section wall", "is",
+					"at most half of the radius; with an inner radius use tube()");
+	EXPECT_FALSE(from(Section::hollowCircle(1, btScalar(0.5))).fault());
+	expectNames(Scene().refusalOf(from(Section::tube(1, 2))), "section inner radius", "is 2", "less than the outer");
 	expectNames(Scene().refusalOf(from(Section::hollowRectangle(1, 2, btScalar(0.5)))), "section wall", "0.5",
 				"less than half");
 	expectNames(Scene().refusalOf(from(Section())), "section area", "is 0", "greater than 0");

@@ -107,9 +107,20 @@ btElasticPlasticSection btElasticPlasticSection::circle(btScalar radius)
 btElasticPlasticSection btElasticPlasticSection::hollowCircle(btScalar radius, btScalar wall)
 {
 	btElasticPlasticSection s;
+	// The wall may be half of the radius itself.
 	if (isPositive(s, "section radius [m]", radius) &&
-		isBelow(s, "section wall [m]", wall, radius, "greater than 0 and less than the radius"))
+		isBelow(s, "section wall [m]", wall, radius * (btScalar(0.5) + SIMD_EPSILON),
+				"greater than 0 and at most half of the radius; with an inner radius use tube()"))
 		setRound(s, radius, radius - wall, 2 / PI);
+	return s;
+}
+
+btElasticPlasticSection btElasticPlasticSection::tube(btScalar outerRadius, btScalar innerRadius)
+{
+	btElasticPlasticSection s;
+	if (isPositive(s, "section outer radius [m]", outerRadius) &&
+		isBelow(s, "section inner radius [m]", innerRadius, outerRadius, "greater than 0 and less than the outer one"))
+		setRound(s, outerRadius, innerRadius, 2 / PI);
 	return s;
 }
 

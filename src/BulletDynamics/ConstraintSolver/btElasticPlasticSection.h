@@ -38,8 +38,12 @@ struct btElasticPlasticSection
 	/// Solid circle of radius r [m]: W_pl = 4 r^3 / 3, torsion 2 pi r^3 / 3, J = pi r^4 / 2; A_s = 6/7 A (Cowper, nu = 0).
 	static btElasticPlasticSection circle(btScalar radius);
 
-	/// Tube, outer radius r and wall t [m], 0 < t < r; A_s by Cowper (nu = 0), 2 A / pi yields in shear (Eurocode 3, 6.2.6).
+	/// Tube, outer radius r and wall t [m], 0 < t <= r / 2: a thicker one is refused, since it may be an inner radius that was meant;
+	/// there is tube() for that. A_s by Cowper (nu = 0), 2 A / pi yields in shear (Eurocode 3, 6.2.6).
 	static btElasticPlasticSection hollowCircle(btScalar radius, btScalar wall);
+
+	/// The same by outer and inner radius [m], 0 < inner < outer.
+	static btElasticPlasticSection tube(btScalar outerRadius, btScalar innerRadius);
 
 	/// Box of even wall t [m], 0 < 2 t < min(b, h); J by Bredt, torsion by the sand heap with a hole,
 	/// A h / (b + h) resists shear along y (Eurocode 3, 6.2.6).
