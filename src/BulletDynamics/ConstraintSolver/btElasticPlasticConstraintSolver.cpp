@@ -3,54 +3,10 @@
 
 #include "btElasticPlasticConstraintSolver.h"
 
-#include <stdio.h>
-
 #include "ElasticPlastic/solver/SolverWorks.h"
 
-btElasticPlasticConstraintSolver::btElasticPlasticConstraintSolver(btElasticPlasticOwnPrecision)
-	: m_works(new btElasticPlastic::SolverWorks)
-{
-}
-btElasticPlasticConstraintSolver::~btElasticPlasticConstraintSolver() { delete m_works; }
-
-bool btElasticPlasticConstraintSolver::setSettings(const btElasticPlasticSolverSettings& settings)
-{
-	if (const btElasticPlasticFault fault = settings.fault())
-	{
-		char text[192];
-		fault.print(text, sizeof text);
-		fprintf(stderr, "Bullet Elastic-Plastic refused the solver's settings: %s\n", text);
-		return false;
-	}
-	m_works->setSettings(settings);
-	return true;
-}
-
-const btElasticPlasticSolverSettings& btElasticPlasticConstraintSolver::getSettings() const
-{
-	return m_works->getSettings();
-}
-
-bool btElasticPlasticConstraintSolver::setForm(btElasticPlasticForm form)
-{
-	btElasticPlasticSolverSettings settings = getSettings();
-	settings.m_form = form;
-	return setSettings(settings);
-}
-
-bool btElasticPlasticConstraintSolver::setNumThreads(int threads)
-{
-	btElasticPlasticSolverSettings settings = getSettings();
-	settings.m_numThreads = threads;
-	return setSettings(settings);
-}
-
-const btElasticPlasticStatistics& btElasticPlasticConstraintSolver::getStatistics() const
-{
-	return m_works->getStatistics();
-}
-
-void btElasticPlasticConstraintSolver::resetStatistics() { m_works->getStatistics() = btElasticPlasticStatistics(); }
+btElasticPlasticConstraintSolver::btElasticPlasticConstraintSolver(btElasticPlasticOwnPrecision) {}
+btElasticPlasticConstraintSolver::~btElasticPlasticConstraintSolver() {}
 
 void btElasticPlasticConstraintSolver::prepareSolve(int numBodies, int numManifolds)
 {

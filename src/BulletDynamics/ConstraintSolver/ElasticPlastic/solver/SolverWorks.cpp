@@ -86,16 +86,33 @@ bool SolverWorks::findJoints(const SolverGroup& group)
 SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
 							   btDispatcher* dispatcher)
 {
-	if (!findJoints(given))
-		return given;
-	SolverGroup group = given;
-	group.m_joints = &m_joints[0];
 	if (m_settings.m_form == BT_EP_ITERATIVE)
 	{
+		if (!findJoints(given))
+			return given;
+		SolverGroup group = given;
+		group.m_joints = &m_joints[0];
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
 		return SolverGroup();
 	}
+	if (!split(given))
+		return given;
+	solveIslands(info, debugDrawer, dispatcher);
+	return getOthers();
+}
+
+bool SolverWorks::split(const SolverGroup& given)
+{
+	if (!findJoints(given))
+		return false;
+	SolverGroup group = given;
+	group.m_joints = &m_joints[0];
 	m_islands.split(group);
+	return true;
+}
+
+void SolverWorks::solveIslands(const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher)
+{
 	m_sharedIslands.clear();
 	for (int i = 0; i < m_islands.getNumIslands(); ++i)
 	{
@@ -108,7 +125,6 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 			m_solvers[0]->solve(island, info, debugDrawer, dispatcher);
 	}
 	solveShared(info, dispatcher);
-	return m_islands.getOthers();
 }
 
 struct SolverWorks::SharedIslands : WorkerPool::Task

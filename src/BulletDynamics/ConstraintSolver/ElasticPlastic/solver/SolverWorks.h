@@ -33,6 +33,17 @@ public:
 	SolverGroup solve(const SolverGroup& group, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
 					  btDispatcher* dispatcher);
 
+	// For a solver that has something to do between them, solve() in two parts, in either form.
+
+	/// Takes the islands with elastic-plastic joints out of a group. \return whether there are any; they and the others are valid
+	/// until the next call
+	bool split(const SolverGroup& group);
+	int getNumIslands() const { return m_islands.getNumIslands(); }
+	SolverGroup getIsland(int i) { return m_islands.getIsland(i); }
+	SolverGroup getOthers() { return m_islands.getOthers(); }
+
+	void solveIslands(const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher);
+
 private:
 	struct SharedIslands;
 
