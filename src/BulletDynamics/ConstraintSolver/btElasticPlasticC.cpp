@@ -1,0 +1,445 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "btElasticPlasticC.h"
+
+#include <stdio.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "btBulletDynamicsCommon.h"
+#include "btElasticPlastic6DofSpring2Constraint.h"
+#include "btElasticPlasticAction.h"
+#include "btElasticPlasticConstraintSolver.h"
+
+/// A world of the C interface. What is wrong with a joint is told to it, and not printed.
+struct btep_world : btElasticPlasticListener
+{
+	typedef btElasticPlastic6DofSpring2Constraint Joint;
+
+	struct Body
+	{
+		std::unique_ptr<btCollisionShape> m_shape;
+		std::unique_ptr<btRigidBody> m_body;
+	};
+
+	btDefaultCollisionConfiguration m_configuration;
+	btCollisionDispatcher m_dispatcher{&m_configuration};
+	btDbvtBroadphase m_broadphase;
+	btElasticPlasticConstraintSolver m_solver;
+	btDiscreteDynamicsWorld m_world{&m_dispatcher, &m_broadphase, &m_solver, &m_configuration};
+	btElasticPlasticAction m_action;
+	std::map<int, Body> m_bodies;
+	std::map<int, std::unique_ptr<Joint>> m_joints;
+	std::vector<btElasticPlasticEvent> m_events;
+	size_t m_numRead = 0;  ///< of the events
+	int m_lastHandle = 0;
+	char m_message[320] = {};
+
+	BT_DECLARE_ALIGNED_ALLOCATOR();
+
+	explicit btep_world(const btVector3& gravity)
+	{
+		m_world.setGravity(gravity);
+		m_world.addAction(&m_action);
+		m_action.addListener(this);
+	}
+	~btep_world() override
+	{
+		for (auto& joint : m_joints)
+			m_world.removeConstraint(joint.second.get());
+		m_joints.clear();
+		for (auto& body : m_bodies)
+			m_world.removeRigidBody(body.second.m_body.get());
+		m_world.removeAction(&m_action);
+	}
+
+	void onYield(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
+	void onBreak(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
+	void onLevel(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
+	void onRefused(btElasticPlasticJoint&, const char* text) override { say(text); }
+	void onBadStep(btScalar, const char* text) override { say(text); }
+
+	void say(const char* text) { snprintf(m_message, sizeof m_message, "%s", text); }
+
+	int fail(btep_result result, const char* text)
+	{
+		say(text);
+		return result;
+	}
+
+	btRigidBody* find(int body)
+	{
+		const auto place = m_bodies.find(body);
+		if (place == m_bodies.end())
+			snprintf(m_message, sizeof m_message, "%d is no body of this world", body);
+		return place == m_bodies.end() ? nullptr : place->second.m_body.get();
+	}
+
+	Joint* findJoint(int joint)
+	{
+		const auto place = m_joints.find(joint);
+		if (place == m_joints.end())
+			snprintf(m_message, sizeof m_message, "%d is no joint of this world", joint);
+		return place == m_joints.end() ? nullptr : place->second.get();
+	}
+
+	void destroyJoint(int joint)
+	{
+		// Its number goes with it: events that have not been read are not told any more.
+		const btElasticPlasticJoint* const gone = m_joints[joint].get();
+		m_events.erase(std::remove_if(m_events.begin() + long(m_numRead), m_events.end(),
+									  [gone](const btElasticPlasticEvent& event) { return event.m_joint == gone; }),
+					   m_events.end());
+		m_world.removeConstraint(m_joints[joint].get());
+		m_joints.erase(joint);
+	}
+};
+
+namespace
+{
+btVector3 vectorOf(const double numbers[3])
+{
+	return btVector3(btScalar(numbers[0]), btScalar(numbers[1]), btScalar(numbers[2]));
+}
+
+void write(const btVector3& vector, double numbers[3])
+{
+	for (int i = 0; i < 3; ++i)
+		numbers[i] = double(vector[i]);
+}
+
+bool areFinite(const double* numbers, int count)
+{
+	bool areFinite = true;
+	for (int i = 0; i < count; ++i)
+		// What is no number in Bullet's precision any more is none.
+		areFinite &= btElasticPlasticIsFinite(double(btScalar(numbers[i])));
+	return areFinite;
+}
+
+bool isPose(const double position[3], const double rotation[4])
+{
+	double square = 0;
+	for (int i = 0; i < 4; ++i)
+		square += rotation[i] * rotation[i];
+	return areFinite(position, 3) && areFinite(rotation, 4) && square > 1e-12;
+}
+
+btTransform poseOf(const double position[3], const double rotation[4])
+{
+	return btTransform(
+		btQuaternion(btScalar(rotation[0]), btScalar(rotation[1]), btScalar(rotation[2]), btScalar(rotation[3]))
+			.normalized(),
+		vectorOf(position));
+}
+
+btElasticPlasticCapacity capacityOf(const btep_capacity& from)
+{
+	btElasticPlasticCapacity capacity;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (from.m_yield[i] != 0)
+			capacity.set(i, btScalar(from.m_stiffness[i]), btScalar(from.m_yield[i]),
+						 btScalar(btMin(from.m_ductility[i], double(btElasticPlasticCapacity::unlimited()))));
+	for (int i = 0; i < 2; ++i)
+		capacity.m_coupling[i] = btScalar(from.m_coupling[i]);
+	capacity.m_length = btScalar(from.m_length);
+	return capacity;
+}
+}  // namespace
+
+int btep_version(void) { return BTEP_VERSION; }
+
+int btep_world_create(int version, const double gravity[3], btep_world** world)
+{
+	if (!world || !gravity)
+		return BTEP_BAD_POINTER;
+	*world = nullptr;
+	if (version < 1 || version > BTEP_VERSION)
+		return BTEP_BAD_VERSION;
+	if (!areFinite(gravity, 3))
+		return BTEP_BAD_VALUE;
+	*world = new btep_world(vectorOf(gravity));
+	return BTEP_OK;
+}
+
+void btep_world_destroy(btep_world* world) { delete world; }
+
+const char* btep_world_message(const btep_world* world) { return world ? world->m_message : "the world is null"; }
+
+int btep_world_step(btep_world* world, double length)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!(length > 0) || !areFinite(&length, 1))
+		return world->fail(BTEP_BAD_VALUE, "the length of a step [s] must be finite and greater than 0");
+	world->m_world.stepSimulation(btScalar(length), 0);
+	return BTEP_OK;
+}
+
+// ---- bodies
+
+int btep_body_create(btep_world* world, const btep_body_description* description, int* body)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!description || !body)
+		return world->fail(BTEP_BAD_POINTER, "description or result of a body is null");
+	const btep_body_description& d = *description;
+	if (d.m_size != sizeof d)
+		return world->fail(BTEP_BAD_VERSION, "m_size of a body's description is not that of a known version");
+	const int numExtents = d.m_shape == BTEP_BOX ? 3 : 1;
+	bool isExtended = areFinite(d.m_extent, numExtents);
+	for (int i = 0; i < numExtents; ++i)
+		isExtended &= d.m_extent[i] > 0;
+	if ((d.m_shape != BTEP_BOX && d.m_shape != BTEP_SPHERE) || !isExtended)
+		return world->fail(BTEP_BAD_VALUE,
+						   "shape of a body: it must be BTEP_BOX or BTEP_SPHERE, with extents greater than 0");
+	if (!isPose(d.m_position, d.m_rotation))
+		return world->fail(BTEP_BAD_VALUE, "pose of a body: it must be finite, with a rotation that is not 0");
+	if (!areFinite(&d.m_mass, 1) || d.m_mass < 0 || !areFinite(&d.m_friction, 1) || d.m_friction < 0)
+		return world->fail(BTEP_BAD_VALUE, "mass and friction of a body: they must be finite and not negative");
+
+	btep_world::Body made;
+	if (d.m_shape == BTEP_BOX)
+		made.m_shape.reset(new btBoxShape(vectorOf(d.m_extent) / 2));
+	else
+		made.m_shape.reset(new btSphereShape(btScalar(d.m_extent[0])));
+	btVector3 inertia(0, 0, 0);
+	if (d.m_mass > 0)
+		made.m_shape->calculateLocalInertia(btScalar(d.m_mass), inertia);
+	btRigidBody::btRigidBodyConstructionInfo info(btScalar(d.m_mass), nullptr, made.m_shape.get(), inertia);
+	info.m_startWorldTransform = poseOf(d.m_position, d.m_rotation);
+	info.m_friction = btScalar(d.m_friction);
+	made.m_body.reset(new btRigidBody(info));
+	world->m_world.addRigidBody(made.m_body.get());
+	*body = ++world->m_lastHandle;
+	world->m_bodies[*body] = std::move(made);
+	return BTEP_OK;
+}
+
+int btep_body_destroy(btep_world* world, int body)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	btRigidBody* const found = world->find(body);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	for (auto place = world->m_joints.begin(); place != world->m_joints.end();)
+	{
+		const int joint = place->first;
+		const btTypedConstraint& constraint = *place->second;
+		++place;
+		if (&constraint.getRigidBodyA() == found || &constraint.getRigidBodyB() == found)
+			world->destroyJoint(joint);
+	}
+	world->m_action.removeBody(world->m_world, *found);
+	world->m_bodies.erase(body);
+	return BTEP_OK;
+}
+
+int btep_body_get_pose(btep_world* world, int body, double position[3], double rotation[4])
+{
+	if (!world || !position || !rotation)
+		return BTEP_BAD_POINTER;
+	const btRigidBody* const found = world->find(body);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	write(found->getCenterOfMassPosition(), position);
+	const btQuaternion turn = found->getOrientation();
+	for (int i = 0; i < 4; ++i)
+		rotation[i] = double(turn[i]);
+	return BTEP_OK;
+}
+
+int btep_body_get_velocity(btep_world* world, int body, double linear[3], double angular[3])
+{
+	if (!world || !linear || !angular)
+		return BTEP_BAD_POINTER;
+	const btRigidBody* const found = world->find(body);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	write(found->getLinearVelocity(), linear);
+	write(found->getAngularVelocity(), angular);
+	return BTEP_OK;
+}
+
+int btep_body_set_velocity(btep_world* world, int body, const double linear[3], const double angular[3])
+{
+	if (!world || !linear || !angular)
+		return BTEP_BAD_POINTER;
+	btRigidBody* const found = world->find(body);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	if (!areFinite(linear, 3) || !areFinite(angular, 3))
+		return world->fail(BTEP_BAD_VALUE, "velocities of a body: they must be finite");
+	found->activate();
+	found->setLinearVelocity(vectorOf(linear));
+	found->setAngularVelocity(vectorOf(angular));
+	return BTEP_OK;
+}
+
+int btep_body_apply_force(btep_world* world, int body, const double force[3])
+{
+	if (!world || !force)
+		return BTEP_BAD_POINTER;
+	btRigidBody* const found = world->find(body);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	if (!areFinite(force, 3))
+		return world->fail(BTEP_BAD_VALUE, "force on a body: it must be finite");
+	found->activate();
+	found->applyCentralForce(vectorOf(force));
+	return BTEP_OK;
+}
+
+// ---- joints
+
+int btep_capacity_of_member(btep_world* world, const btep_material* material, double width, double height,
+							double length_a, double length_b, btep_capacity* capacity)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!material || !capacity)
+		return world->fail(BTEP_BAD_POINTER, "material or result of a capacity is null");
+	if (material->m_size != sizeof *material || capacity->m_size != sizeof *capacity)
+		return world->fail(BTEP_BAD_VERSION, "m_size of a material or a capacity is not that of a known version");
+	btElasticPlasticMaterial m;
+	m.m_youngsModulus = btScalar(material->m_youngs_modulus);
+	m.m_poissonsRatio = btScalar(material->m_poissons_ratio);
+	m.m_yieldStress = btScalar(material->m_yield_stress);
+	m.m_ultimatePlasticStrain = btScalar(material->m_ultimate_plastic_strain);
+	const btElasticPlasticCapacity made =
+		btElasticPlasticCapacity::fromMember(m, btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)),
+											 btScalar(length_a), btScalar(length_b));
+	if (const btElasticPlasticFault fault = made.fault())
+	{
+		fault.print(world->m_message, sizeof world->m_message);
+		return BTEP_BAD_VALUE;
+	}
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		capacity->m_stiffness[i] = double(made.m_stiffness[i]);
+		capacity->m_yield[i] = double(made.m_yield[i]);
+		capacity->m_ductility[i] = double(made.m_ductility[i]);
+	}
+	for (int i = 0; i < 2; ++i)
+		capacity->m_coupling[i] = double(made.m_coupling[i]);
+	capacity->m_length = double(made.m_length);
+	return BTEP_OK;
+}
+
+int btep_joint_create(btep_world* world, int body_a, int body_b, const double position[3], const double rotation[4],
+					  const btep_capacity* capacity, int* joint)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!position || !rotation || !capacity || !joint)
+		return world->fail(BTEP_BAD_POINTER, "pose, capacity or result of a joint is null");
+	if (capacity->m_size != sizeof *capacity)
+		return world->fail(BTEP_BAD_VERSION, "m_size of a capacity is not that of a known version");
+	btRigidBody *const a = world->find(body_a), *const b = a ? world->find(body_b) : nullptr;
+	if (!a || !b)
+		return BTEP_BAD_HANDLE;
+	if (!isPose(position, rotation))
+		return world->fail(BTEP_BAD_VALUE, "pose of a joint: it must be finite, with a rotation that is not 0");
+	const btTransform frame = poseOf(position, rotation);
+	std::unique_ptr<btep_world::Joint> made(new btep_world::Joint(
+		*a, *b, a->getCenterOfMassTransform().inverse() * frame, b->getCenterOfMassTransform().inverse() * frame));
+	for (int i = 3; i < BT_EP_DOF_COUNT; ++i)
+		made->setLimit(i, 1, -1);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (capacity->m_yield[i] == 0)
+			made->setLimit(i, 1, -1);
+	// The action tells what is wrong, and the joint has never been in the world then.
+	made->setCapacity(capacityOf(*capacity));
+	if (!world->m_action.addJoint(made.get()))
+		return BTEP_BAD_VALUE;
+	world->m_world.addConstraint(made.get(), true);
+	*joint = ++world->m_lastHandle;
+	made->setUserConstraintId(*joint);
+	world->m_joints[*joint] = std::move(made);
+	a->activate();
+	b->activate();
+	return BTEP_OK;
+}
+
+int btep_joint_destroy(btep_world* world, int joint)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	btep_world::Joint* const found = world->findJoint(joint);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	found->getRigidBodyA().activate();
+	found->getRigidBodyB().activate();
+	world->destroyJoint(joint);
+	return BTEP_OK;
+}
+
+int btep_joint_get_state(btep_world* world, int joint, btep_joint_state* state)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!state)
+		return world->fail(BTEP_BAD_POINTER, "result of a joint's state is null");
+	if (state->m_size != sizeof *state)
+		return world->fail(BTEP_BAD_VERSION, "m_size of a joint's state is not that of a known version");
+	const btep_world::Joint* const found = world->findJoint(joint);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		state->m_force[i] = double(found->getAppliedForce(i));
+		state->m_plastic[i] = double(found->getPlasticDeformation(i));
+	}
+	state->m_utilisation = double(found->getUtilisation());
+	state->m_damage = double(found->getDamage());
+	state->m_elastic_energy = found->getElasticEnergy();
+	state->m_plastic_energy = found->getPlasticEnergy();
+	state->m_is_broken = found->isBroken();
+	return BTEP_OK;
+}
+
+int btep_joint_set_level(btep_world* world, int joint, double utilisation)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	btep_world::Joint* const found = world->findJoint(joint);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	if (!found->setLevel(BT_EP_QUANTITY_UTILISATION, btScalar(utilisation)))
+		return world->fail(BTEP_BAD_VALUE, "level of a joint's utilisation: it must be finite and greater than 0");
+	return BTEP_OK;
+}
+
+int btep_event_next(btep_world* world, btep_event* event)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!event)
+		return world->fail(BTEP_BAD_POINTER, "result of an event is null");
+	if (event->m_size != sizeof *event)
+		return world->fail(BTEP_BAD_VERSION, "m_size of an event is not that of a known version");
+	if (world->m_numRead == world->m_events.size())
+	{
+		world->m_events.clear();
+		world->m_numRead = 0;
+		return BTEP_NO_EVENT;
+	}
+	const btElasticPlasticEvent& from = world->m_events[world->m_numRead++];
+	event->m_type = from.m_type == BT_EP_EVENT_YIELD   ? BTEP_YIELD
+					: from.m_type == BT_EP_EVENT_BREAK ? BTEP_BREAK
+													   : BTEP_LEVEL;
+	event->m_joint = from.m_joint->getConstraint().getUserConstraintId();
+	event->m_dof = from.m_dof;
+	event->m_time = from.m_time;
+	event->m_energy = from.m_energy;
+	write(from.m_position, event->m_position);
+	write(from.m_impulse, event->m_impulse);
+	write(from.m_velocity, event->m_velocity);
+	return BTEP_OK;
+}

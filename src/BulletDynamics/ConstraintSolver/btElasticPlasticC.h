@@ -1,0 +1,158 @@
+/* SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors */
+/* SPDX-License-Identifier: Zlib */
+
+/* Elastic-plastic joints for programs in C, and in other languages by way of C: a world of boxes and spheres, joints between them, and
+   events. Engines in C++ use the classes, which can do more.
+
+   All numbers are double, whatever Bullet's precision; units are SI or any consistent ones. Vectors have three numbers, rotations are
+   quaternions x, y, z, w. Bodies and joints are numbers above 0 that are never used again; worlds are pointers. Arrays are by degree of
+   freedom: axial, shear y, shear z, torsion, bending y, bending z.
+
+   Functions return BTEP_OK or what is wrong, and then change nothing; btep_world_message() says it in words. A struct's m_size is to
+   be sizeof of it: later versions may have more at its end. Pointers to results may not be null. A world is for one thread at a time. */
+
+#ifndef BT_ELASTIC_PLASTIC_C_H
+#define BT_ELASTIC_PLASTIC_C_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C"
+{
+#endif
+
+/* Of this header. A library serves all programs that were compiled with its own version or a lower one. */
+#define BTEP_VERSION 1
+
+	typedef struct btep_world btep_world;
+
+	enum btep_result
+	{
+		BTEP_OK = 0,
+		BTEP_NO_EVENT = 1,     /* there is no event to tell of; no error */
+		BTEP_BAD_POINTER = -1, /* a pointer is null */
+		BTEP_BAD_HANDLE = -2,  /* no body or joint of the world has this number */
+		BTEP_BAD_VALUE = -3,   /* a value is out of its range */
+		BTEP_BAD_VERSION =
+			-4 /* the program was compiled with a later header, or a struct's m_size is not that of a known version */
+	};
+
+	enum btep_shape
+	{
+		BTEP_BOX = 0,   /* m_extent: lengths of its edges [m], > 0 */
+		BTEP_SPHERE = 1 /* m_extent[0]: radius [m], > 0 */
+	};
+
+	enum btep_event_type
+	{
+		BTEP_YIELD = 0, /* it flowed for the first time */
+		BTEP_BREAK = 1, /* its ductility is spent; it holds nothing any more */
+		BTEP_LEVEL = 2  /* its utilisation has risen to the level of btep_joint_set_level() */
+	};
+
+	struct btep_body_description
+	{
+		size_t m_size;
+		int m_shape;          /* btep_shape */
+		double m_extent[3];   /* see btep_shape */
+		double m_mass;        /* [kg], 0: it does not move by itself */
+		double m_position[3]; /* of its middle [m] */
+		double m_rotation[4]; /* of any length but 0 */
+		double m_friction;    /* 0 and more; Bullet has 0.5 */
+	};
+
+	/* Stiffness, yield value and ductility by degree of freedom; see btElasticPlasticCapacity. */
+	struct btep_capacity
+	{
+		size_t m_size;
+		double m_stiffness[6]; /* [N/m], [N m/rad] */
+		double m_yield[6];     /* [N], [N m]; 0: free */
+		double m_ductility[6]; /* plastic deformation at which it breaks [m], [rad], > 0; 1e18 and more: never */
+		double m_coupling[2];  /* of shear and bending, as btep_capacity_of_member() finds it; 0 by hand */
+		double m_length;       /* of the member [m]; 0 by hand */
+	};
+
+	struct btep_material
+	{
+		size_t m_size;
+		double m_youngs_modulus;          /* [Pa], > 0 */
+		double m_poissons_ratio;          /* > -1 and <= 0.5 */
+		double m_yield_stress;            /* [Pa], > 0 */
+		double m_ultimate_plastic_strain; /* > 0 */
+	};
+
+	struct btep_joint_state
+	{
+		size_t m_size;
+		double m_force[6];       /* that was applied in the last step [N], [N m]; positive axial force is tension */
+		double m_plastic[6];     /* plastic deformation [m], [rad] */
+		double m_utilisation;    /* 1 is yield */
+		double m_damage;         /* 1 breaks */
+		double m_elastic_energy; /* [J] */
+		double m_plastic_energy; /* [J] */
+		int m_is_broken;
+	};
+
+	struct btep_event
+	{
+		size_t m_size;
+		int m_type; /* btep_event_type */
+		int m_joint;
+		int m_dof;            /* that decided, 0 to 5 */
+		double m_time;        /* of the world [s] */
+		double m_energy;      /* taken up by the joint so far [J] */
+		double m_position[3]; /* [m] */
+		double m_impulse[3];  /* on body A in the step, along the world's axes [N s] */
+		double m_velocity[3]; /* of body B against body A, along the world's axes [m/s] */
+	};
+
+	/* The version of the library. */
+	int btep_version(void);
+
+	/* version: BTEP_VERSION. gravity [m/s^2]. */
+	int btep_world_create(int version, const double gravity[3], btep_world** world);
+
+	/* Of null it does nothing. Its bodies and joints go with it. */
+	void btep_world_destroy(btep_world* world);
+
+	/* One step of a finite length > 0 [s]. */
+	int btep_world_step(btep_world* world, double length);
+
+	/* What the last call that failed had to say, in English; never null. It is valid until the next call. */
+	const char* btep_world_message(const btep_world* world);
+
+	int btep_body_create(btep_world* world, const struct btep_body_description* description, int* body);
+
+	/* Takes its joints with it. */
+	int btep_body_destroy(btep_world* world, int body);
+
+	int btep_body_get_pose(btep_world* world, int body, double position[3], double rotation[4]);
+	int btep_body_get_velocity(btep_world* world, int body, double linear[3], double angular[3]);
+	int btep_body_set_velocity(btep_world* world, int body, const double linear[3], const double angular[3]);
+
+	/* A force through the body's middle for the next step [N]. */
+	int btep_body_apply_force(btep_world* world, int body, const double force[3]);
+
+	/* Of the joint between two parts of a member with a rectangular section, width along z and height along y [m]; the lengths of its parts
+   are along x [m], 0 for a support. See btElasticPlasticCapacity::fromMember(). */
+	int btep_capacity_of_member(btep_world* world, const struct btep_material* material, double width, double height,
+								double length_a, double length_b, struct btep_capacity* capacity);
+
+	/* At a place of the world, with the x axis of the rotation along the member, from A to B. The two do not collide with each other until
+   the joint breaks. */
+	int btep_joint_create(btep_world* world, int body_a, int body_b, const double position[3], const double rotation[4],
+						  const struct btep_capacity* capacity, int* joint);
+	int btep_joint_destroy(btep_world* world, int joint);
+	int btep_joint_get_state(btep_world* world, int joint, struct btep_joint_state* state);
+
+	/* Has BTEP_LEVEL come when the joint's utilisation rises to a level > 0. */
+	int btep_joint_set_level(btep_world* world, int joint, double utilisation);
+
+	/* The oldest event that has not been read. \return BTEP_NO_EVENT if there is none */
+	int btep_event_next(btep_world* world, struct btep_event* event);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* BT_ELASTIC_PLASTIC_C_H */
