@@ -46,7 +46,7 @@ struct Query : btBroadphaseAabbCallback
 		btCollisionObject* const object = static_cast<btCollisionObject*>(other->m_clientObject);
 		btRigidBody* const body = btRigidBody::upcast(object);
 		if (other == mine || !body || (!m_joined.isMarked(*m_body) && !m_joined.isMarked(*body)) ||
-			!m_world.getPairCache()->needsBroadphaseCollision(mine, const_cast<btBroadphaseProxy*>(other)) ||
+			!passesFilter(*mine, const_cast<btBroadphaseProxy&>(*other)) ||
 			!m_body->checkCollideWith(body))
 			return true;
 		m_result.m_isBlow |=
@@ -54,6 +54,17 @@ struct Query : btBroadphaseAabbCallback
 		const btScalar speed = (m_body->getLinearVelocity() - body->getLinearVelocity()).length();
 		btSetMax(m_result.m_rate, double(speed / (SHARE * btMin(leastEdge(*mine), leastEdge(*other)))));
 		return true;
+	}
+
+	bool passesFilter(btBroadphaseProxy& mine, btBroadphaseProxy& other) const
+	{
+#if BT_BULLET_VERSION >= 305
+		return m_world.getPairCache()->needsBroadphaseCollision(&mine, &other);
+#else
+		// Older ones do not say what a filter of the user's does.
+		return (mine.m_collisionFilterGroup & other.m_collisionFilterMask) != 0 &&
+			   (other.m_collisionFilterGroup & mine.m_collisionFilterMask) != 0;
+#endif
 	}
 
 	static constexpr btScalar SHARE = btScalar(0.05);  ///< of the least edge
