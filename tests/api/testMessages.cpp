@@ -83,6 +83,8 @@ TEST(Messages, ARefusedStateIsNamedWithItsRange)
 	} cases[] = {
 		{[](btElasticPlasticState& s) { s.m_force[1] = btScalar(1e12); }, {"force", "shear y", "1e+12", "yield value"}},
 		{[](btElasticPlasticState& s) { s.m_force[4] = btScalar(NAN); }, {"force", "bending y", "nan", "finite"}},
+		{[](btElasticPlasticState& s) { s.m_watched[2] = btScalar(NAN); },
+		 {"watched deformation", "shear z", "nan", "finite"}},
 		{[](btElasticPlasticState& s) { s.m_plasticPath[0] = -2; }, {"plastic path", "axial", "-2", "not negative"}},
 		{[](btElasticPlasticState& s) { s.m_plasticRotation = btQuaternion(0, 0, 0, 2); }, {"rotation", "2", "1"}},
 		{[](btElasticPlasticState& s) { s.m_plasticEnergy = -3; }, {"plastic energy [J]", "-3", "not negative"}},

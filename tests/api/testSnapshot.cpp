@@ -195,13 +195,15 @@ TEST(Snapshot, GoesOnWithTheSameBits)
 TEST(Snapshot, KeepsUnreadEvents)
 {
 	Collapse scene(Solver::Direct), other(Solver::Direct);
+	for (btElasticPlasticJoint* joint : scene.m_world.joints())
+		joint->setLevel(BT_EP_QUANTITY_UTILISATION, btScalar(0.5));
 	scene.run(60);
 	const Bytes snapshot = save(scene.m_world);
 	ASSERT_FALSE(restore(other.m_world, snapshot));
 	EXPECT_EQ(scene.m_world.action().getTime(), other.m_world.action().getTime());
 	const std::vector<btElasticPlasticJoint*> joints[2] = {scene.m_world.joints(), other.m_world.joints()};
 	btElasticPlasticEvent a, b;
-	int count = 0;
+	int count = 0, numLevels = 0;
 	for (; scene.m_world.action().popEvent(a); ++count)
 	{
 		ASSERT_TRUE(other.m_world.action().popEvent(b));
@@ -212,9 +214,21 @@ TEST(Snapshot, KeepsUnreadEvents)
 		EXPECT_EQ(a.m_time, b.m_time);
 		EXPECT_EQ(a.m_energy, b.m_energy);
 		EXPECT_EQ(a.m_position, b.m_position);
+		EXPECT_EQ(a.m_impulse, b.m_impulse);
+		EXPECT_EQ(a.m_velocity, b.m_velocity);
+		EXPECT_EQ(a.m_quantity, b.m_quantity);
+		EXPECT_EQ(a.m_value, b.m_value);
+		numLevels += a.m_type == BT_EP_EVENT_LEVEL;
 		EXPECT_EQ(&b.m_joint->getConstraint().getRigidBodyA(), b.m_bodyA);
 	}
-	EXPECT_GT(count, 0);
+	EXPECT_GT(count, numLevels);
+	EXPECT_GT(numLevels, 0);
+	for (size_t i = 0; i < joints[0].size(); ++i)
+	{
+		EXPECT_EQ(btScalar(0.5), joints[1][i]->getLevel(BT_EP_QUANTITY_UTILISATION));
+		EXPECT_EQ(joints[0][i]->getState().m_passedLevels, joints[1][i]->getState().m_passedLevels);
+		EXPECT_EQ(joints[0][i]->getState().m_supportDigest, joints[1][i]->getState().m_supportDigest);
+	}
 	EXPECT_FALSE(other.m_world.action().popEvent(b));
 }
 

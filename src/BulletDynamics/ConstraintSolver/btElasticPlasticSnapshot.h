@@ -16,9 +16,10 @@ struct btDbvtBroadphase;
 // the same calls, with contacts, breaks and repairs since.
 //
 // A snapshot holds what steps change: bodies (poses, velocities, forces, sleep, collision flags), contacts with their impulses, the
-// broadphase's pairs and trees, which joints and other constraints are in the world and in which order, joints with state and capacity,
-// and unread events. It does not hold what only games change: shapes, masses, factors, gravity, damping, solver settings, joints' frames,
-// listeners, motion states' own data, and what other actions remember (btElasticPlasticStepper and btElasticPlasticStepControl, too).
+// broadphase's pairs and trees, which joints and other constraints are in the world and in which order, joints with state, capacity and
+// levels, and unread events. It does not hold what only games change: shapes, masses, factors, gravity, damping, solver settings, the
+// action's waking share, joints' frames, listeners, motion states' own data, and what other actions remember
+// (btElasticPlasticStepper and btElasticPlasticStepControl, too).
 // See docs/limits.md for what else is left out.
 
 /// Saves a world.

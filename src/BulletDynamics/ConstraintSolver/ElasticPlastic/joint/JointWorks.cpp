@@ -200,7 +200,7 @@ void JointWorks::requestJacobians() { request(JACOBIANS); }
 
 void JointWorks::resume(int numUncommitted, int nextRequest)
 {
-	m_step.revert();
+	m_step.forget();
 	m_numUncommitted = numUncommitted;
 	request(Request(nextRequest));
 	leaveFactor();
@@ -324,7 +324,10 @@ bool JointWorks::isLoadChanging(btScalar share)
 
 btVector3 JointWorks::appliedImpulse() const
 {
-	const Kinematics& k = m_step.getKinematics();
+	// One that has had no step, or has been put back since, has no axes of it.
+	Kinematics k = m_step.getKinematics();
+	if (!wasInStep())
+		m_model.measure(k);
 	btVector3 force(0, 0, 0);
 	for (int i = 0; i < 3; ++i)
 		force += k.m_axis[i] * m_model.m_state.m_applied[i];
