@@ -9,6 +9,36 @@ namespace
 {
 /// Index of m_coupling: 0 of shear y and bending z, 1 of shear z and bending y.
 int planeOf(int dof) { return dof == BT_EP_SHEAR_Y || dof == BT_EP_BENDING_Z ? 0 : 1; }
+
+/// Of fibres whose material there is not, or whose bars' material is refused.
+btElasticPlasticFault faultOfMaterials(const btElasticPlasticSection& section)
+{
+	for (int i = 0; i < section.m_fibres.size(); ++i)
+	{
+		const int material = section.m_fibres[i].m_material;
+		if (material < 0 || material > section.m_materials.size())
+			return btElasticPlasticFault("material of a fibre of the section", btScalar(material),
+										 "0, or the number of one of the section's materials");
+	}
+	for (int i = 0; i < section.m_materials.size(); ++i)
+		if (btElasticPlasticFault f = section.m_materials[i].fault())
+			return f;
+	return btElasticPlasticFault();
+}
+
+/// E I of a section's bars for bending about y (0) and z (1) [N m^2].
+btScalar stiffnessOfBars(const btElasticPlasticSection& section, int bending)
+{
+	btScalar sum = 0;
+	for (int i = 0; i < section.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticSectionFibre& fibre = section.m_fibres[i];
+		const btScalar arm = bending == 0 ? fibre.m_z : fibre.m_y;
+		if (fibre.m_material > 0)
+			sum += section.m_materials[fibre.m_material - 1].m_youngsModulus * fibre.m_area * arm * arm;
+	}
+	return sum;
+}
 }  // namespace
 
 btElasticPlasticCapacity::btElasticPlasticCapacity(btElasticPlasticOwnPrecision)
@@ -33,6 +63,8 @@ void btElasticPlasticCapacity::set(int dof, btScalar stiffness, btScalar yield, 
 	m_rigidPlastic &= ~(1u << dof);
 	if (coupledWith(dof) >= 0)
 		m_coupling[planeOf(dof)] = 0;
+	if (isOfFibres(dof))
+		m_fibres.clear();
 }
 
 void btElasticPlasticCapacity::setRigidPlastic(int dof, btScalar yield, btScalar ductility)
@@ -48,6 +80,13 @@ void btElasticPlasticCapacity::scaleYield(btScalar factor)
 {
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		m_yield[i] *= factor;
+	if (factor == 0)
+		m_fibres.clear();
+	for (int i = 0; i < m_fibres.size(); ++i)
+	{
+		m_fibres[i].m_tension *= factor;
+		m_fibres[i].m_compression *= factor;
+	}
 }
 
 bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) const
@@ -87,12 +126,47 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 				"greater than 0 where there is a yield value, at least 1e-20 (or rigid-plastic, by setRigidPlastic)",
 				i);
 	}
+	if (btElasticPlasticFault f = faultOfFibres())
+		return f;
 	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("length that bows [m]", m_length))
 		return f;
 	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z; ++i)
 		if (!btElasticPlasticIsFinite(double(m_coupling[planeOf(i)])) || !(btFabs(m_coupling[planeOf(i)]) < 1))
 			return btElasticPlasticFault("coupling of shear and bending", m_coupling[planeOf(i)],
 										 "greater than -1 and less than 1", i);
+	return btElasticPlasticFault();
+}
+
+btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
+{
+	for (int i = 0; i < BT_EP_DOF_COUNT && hasFibres(); ++i)
+		if (isOfFibres(i) && (!isElasticPlastic(i) || isRigidPlastic(i)))
+			return btElasticPlasticFault("yield value of a section with fibres", m_yield[i],
+										 "that of a spring, greater than 0 (or m_fibres empty)", i);
+	for (int i = 0; i < m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_fibres[i];
+		const double place = double(fibre.m_y) + double(fibre.m_z);
+		if (!btElasticPlasticIsFinite(place))
+			return btElasticPlasticFault("place of a fibre, y + z [m]", btScalar(place), "finite");
+		if (btElasticPlasticFault f = btElasticPlasticCheckPositive("stiffness of a fibre [N/m]", fibre.m_stiffness))
+			return f;
+		if (btElasticPlasticFault f =
+				btElasticPlasticCheckNotNegative("strength of a fibre in tension [N]", fibre.m_tension))
+			return f;
+		if (btElasticPlasticFault f =
+				btElasticPlasticCheckNotNegative("strength of a fibre in compression [N]", fibre.m_compression))
+			return f;
+		if (btElasticPlasticFault f = btElasticPlasticCheckPositive(
+				"strength of a fibre in tension and compression [N]", fibre.m_tension + fibre.m_compression))
+			return f;
+		if (btElasticPlasticFault f =
+				btElasticPlasticCheckPositive("elongation at which a fibre ruptures [m]", fibre.m_stretchLimit))
+			return f;
+		if (btElasticPlasticFault f =
+				btElasticPlasticCheckPositive("shortening at which a fibre is crushed [m]", fibre.m_crushLimit))
+			return f;
+	}
 	return btElasticPlasticFault();
 }
 
@@ -131,6 +205,8 @@ btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPla
 	if (!c.m_fault)
 		c.m_fault = section.m_fault;
 	if (!c.m_fault)
+		c.m_fault = faultOfMaterials(section);
+	if (!c.m_fault)
 		c.m_fault = btElasticPlasticCheckPositive("section area [m^2]", section.m_area);
 	if (!c.m_fault)
 		c.m_fault = btElasticPlasticCheckNotNegative("length of the first part [m]", lengthA);
@@ -157,13 +233,15 @@ btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPla
 	for (int i = 0; i < 2; ++i)
 	{
 		// A force along y (i = 0) bends about z, one along z about y: the other second moment.
-		const btScalar halves = (a * a * a + b * b * b) / (3 * E * section.m_secondMoment[1 - i]);
+		const btScalar halves =
+			(a * a * a + b * b * b) / (3 * E * section.m_secondMoment[1 - i] + 3 * stiffnessOfBars(section, 1 - i));
 		c.set(BT_EP_SHEAR_Y + i, 1 / (l / (G * section.m_shearArea[i]) + halves), section.m_plasticShearArea[i] * tau,
 			  plasticShear);
 		c.set(BT_EP_BENDING_Y + i, E * section.m_secondMoment[i] / l, section.m_plasticModulus[i] * fy,
 			  plastic / section.m_outerFibre[1 - i]);
 	}
 	c.m_length = l;
+	c.addFibres(material, section, l, gaugeLength > 0 ? gaugeLength : l);
 	// Of the sign, see elasticMiddle().
 	const btScalar middle = (b - a) / 2;
 	for (int i = 0; i < 2; ++i)

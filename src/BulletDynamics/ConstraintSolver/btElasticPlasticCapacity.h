@@ -4,6 +4,8 @@
 #ifndef BT_ELASTIC_PLASTIC_CAPACITY_H
 #define BT_ELASTIC_PLASTIC_CAPACITY_H
 
+#include "LinearMath/btAlignedObjectArray.h"
+#include "btElasticPlasticFibre.h"
 #include "btElasticPlasticMaterial.h"
 #include "btElasticPlasticPrecision.h"
 #include "btElasticPlasticSection.h"
@@ -35,15 +37,20 @@ struct btElasticPlasticCapacity
 	/// the square of the elastic turn less than those of two straight parts, which counts where an axial force may buckle it. 0: it
 	/// does not.
 	btScalar m_length;
-	unsigned m_rigidPlastic;        ///< bit i: degree of freedom i does not spring, it only flows
+	unsigned m_rigidPlastic;  ///< bit i: degree of freedom i does not spring, it only flows
+	/// Fibres of the section: axial force and bending moments then yield together, and m_yield in these three is only what each could
+	/// be by itself. None: they yield independently. They are for the direct form of btElasticPlasticConstraintSolver; others take the
+	/// independent yield values.
+	btAlignedObjectArray<btElasticPlasticFibre> m_fibres;
 	btElasticPlasticFault m_fault;  ///< of the material, section or length it was made from
 
 	/// Nothing is elastic-plastic, ductility unlimited.
 	btElasticPlasticCapacity(btElasticPlasticOwnPrecision = {});
 
 	/// Elastic-plastic in one degree of freedom, by hand.
-	/// stiffness >= leastStiffness(), yield > 0 and at most greatestYield() (or unlimited()), ductility > 0 (or unlimited()). With a degree of freedom outside
-	/// of 0 to 5, here and below, the capacity is refused by setCapacity(). It springs by itself: what coupling it had is gone.
+	/// stiffness >= leastStiffness(), yield > 0 and at most greatestYield() (or unlimited()), ductility > 0 (or unlimited()). With a degree
+	/// of freedom outside of 0 to 5, here and below, the capacity is refused by setCapacity(). It springs by itself: what coupling it had
+	/// is gone, and so are the fibres if it is the axial direction or a bending.
 	void set(int dof, btScalar stiffness, btScalar yield, btScalar ductility = unlimited());
 
 	/// Rigid-plastic in one degree of freedom: no spring, it holds up to yield and then flows.
@@ -52,13 +59,16 @@ struct btElasticPlasticCapacity
 	/// Takes a degree of freedom out: no row, no cost.
 	void clear(int dof);
 
-	/// Multiplies all yield values (a weakened joint: factor < 1). Must be finite and not negative. 0 takes all degrees of freedom out: a
-	/// joint with this capacity lets go without an event, stays in the world and is not broken; when it gets yield values again it holds
-	/// at the pose that its bodies have then. See btElasticPlasticAction::breakJoint to break one.
+	/// Multiplies all yield values, those of fibres too (a weakened joint: factor < 1). Must be finite and not negative. 0 takes all degrees
+	/// of freedom out: a joint with this capacity lets go without an event, stays in the world and is not broken; when it gets yield values
+	/// again it holds at the pose that its bodies have then. See btElasticPlasticAction::breakJoint to break one.
 	void scaleYield(btScalar factor);
 
 	/// False for what is no degree of freedom.
 	bool isElasticPlastic(int dof) const { return btElasticPlasticIsDof(dof) && m_yield[dof] > 0; }
+	/// Whether a degree of freedom is one of those that fibres make up: axial force and the two bendings.
+	static bool isOfFibres(int dof) { return dof == BT_EP_AXIAL || dof == BT_EP_BENDING_Y || dof == BT_EP_BENDING_Z; }
+	bool hasFibres() const { return m_fibres.size() > 0; }
 	bool isRigidPlastic(int dof) const { return isElasticPlastic(dof) && (m_rigidPlastic >> dof & 1u); }
 
 	/// The degree of freedom that one may be coupled with, -1: none.
@@ -82,6 +92,11 @@ struct btElasticPlasticCapacity
 
 	/// First value that is out of its range; yield without stiffness is one, unless rigid-plastic.
 	btElasticPlasticFault fault() const;
+
+	/// Takes a section's fibres, over a length l [m], with a gauge length [m], both > 0. Their stiffness is such that E A and E I of
+	/// the section come out; m_stiffness follows it to the last digit. Does nothing if the section has none.
+	void addFibres(const btElasticPlasticMaterial& material, const btElasticPlasticSection& section, btScalar length,
+				   btScalar gaugeLength);
 
 	/// Capacity of a rod of the given length [m], > 0, between two bodies, with the joint in its middle; all else as fromMember.
 	static btElasticPlasticCapacity fromRod(const btElasticPlasticMaterial& material,
@@ -109,10 +124,15 @@ struct btElasticPlasticCapacity
 	///  - length of the bow, l;
 	///  - yields N = A f_y, Q = A_v tau_y, T = W_T tau_y, M = W_pl f_y (paper, equations 10 to 14 and Table IV);
 	///  - ductility: elongation e_u g, slip (f_y/tau_y) e_u g, rotation e_u g / c, twist (f_y/tau_y) e_u g / c,
-	///    with the ultimate plastic strain e_u, gauge length g and distance c of the outer fibre.
+	///    with the ultimate plastic strain e_u, gauge length g and distance c of the outer fibre;
+	///  - of a section with fibres (btElasticPlasticSection::withFibres): these, with A f_y and e_u g of their own, bars of their own
+	///    material.
 	static btElasticPlasticCapacity fromMember(const btElasticPlasticMaterial& material,
 											   const btElasticPlasticSection& section, btScalar lengthA,
 											   btScalar lengthB, btScalar gaugeLength = 0);
+
+private:
+	btElasticPlasticFault faultOfFibres() const;
 };
 
 #endif  // BT_ELASTIC_PLASTIC_CAPACITY_H

@@ -167,18 +167,21 @@ btScalar btElasticPlasticJoint::getUtilisation(int* limitingDof) const
 			largest = getUtilisation(i);
 			limiting = i;
 		}
+	const btScalar whole = m_works->m_model.fibreUtilisation();
+	if (whole > largest)
+	{
+		largest = whole;
+		limiting = BT_EP_AXIAL;
+		for (int i = BT_EP_BENDING_Y; i <= BT_EP_BENDING_Z; ++i)
+			if (getUtilisation(i) > getUtilisation(limiting))
+				limiting = i;
+	}
 	if (limitingDof)
 		*limitingDof = limiting;
 	return largest;
 }
 
-double btElasticPlasticJoint::getElasticEnergy() const
-{
-	double energy = 0;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		energy += 0.5 * double(getForce(i)) * double(getElasticDeformation(i));
-	return energy;
-}
+double btElasticPlasticJoint::getElasticEnergy() const { return m_works->m_model.elasticEnergy(); }
 
 double btElasticPlasticJoint::getPlasticEnergy() const { return getState().m_plasticEnergy; }
 double btElasticPlasticJoint::getWork() const { return getState().m_work; }

@@ -86,13 +86,16 @@ public:
 	/// |applied force| over yield: 1 is yield.
 	btScalar getUtilisation(int dof) const;
 
-	/// The largest utilisation, and which degree of freedom has it (-1: none).
+	/// The largest utilisation, and which degree of freedom has it (-1: none). With fibres that of the section counts too: the sum of what
+	/// they bear over the sum of what they could.
 	btScalar getUtilisation(int* limitingDof = nullptr) const;
 
-	/// Share of the ductility of one degree of freedom that is spent.
+	/// Share of the ductility of one degree of freedom that is spent; of the axial force and bendings of a joint with fibres that of all of
+	/// them.
 	btScalar getDamage(int dof) const;
 
-	/// Share of the joint's ductility that is spent, the sum over the degrees of freedom (Miner's rule); 1 breaks it.
+	/// Share of the joint's ductility that is spent, the sum over the degrees of freedom (Miner's rule); 1 breaks it. Fibres count
+	/// together, with the share of the section's strength that is spent.
 	btScalar getDamage() const;
 
 	/// Stored in the springs, f^2 / 2k [J]; of a broken joint: what it held when it broke, lost in the fracture.

@@ -13,6 +13,11 @@ btElasticPlasticFault btElasticPlasticMaterial::fault() const
 		return f;
 	if (btElasticPlasticFault f = btElasticPlasticCheckPositive("ultimate plastic strain", m_ultimatePlasticStrain))
 		return f;
+	if (btElasticPlasticFault f =
+			btElasticPlasticCheckNotNegative("strength in tension over yield stress", m_tensileShare))
+		return f;
+	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("crushing strain", m_crushingStrain))
+		return f;
 	if (!(btElasticPlasticIsFinite(m_poissonsRatio) && m_poissonsRatio > -1 && m_poissonsRatio <= btScalar(0.5)))
 		return btElasticPlasticFault("Poisson's ratio", m_poissonsRatio, "greater than -1 and at most 0.5");
 	if (!(btElasticPlasticIsFinite(m_loadBearingShare) && m_loadBearingShare > 0 && m_loadBearingShare <= 1))

@@ -22,7 +22,11 @@ struct btElasticPlasticMaterial
 		btScalar(7800);  ///< of the body [kg/m^3], > 0; the library does not set masses, this is for the scene
 	btScalar m_yieldStress = btScalar(200e6);          ///< f_y [Pa], > 0
 	btScalar m_ultimatePlasticStrain = btScalar(0.2);  ///< plastic strain at which the material tears, > 0
-	btScalar m_loadBearingShare = btScalar(1);         ///< part of the section that carries load, > 0 and <= 1
+	/// Strength in tension over f_y, >= 0: 0 of concrete, which cracks without a force and bears again when the crack has closed. Only
+	/// fibres know it (btElasticPlasticSection::withFibres): independent degrees of freedom have f_y in both directions.
+	btScalar m_tensileShare = btScalar(1);
+	btScalar m_crushingStrain = 0;  ///< plastic strain at which fibres are crushed, > 0; 0: as when they tear
+	btScalar m_loadBearingShare = btScalar(1);  ///< part of the section that carries load, > 0 and <= 1
 	btElasticPlasticShearYield m_shearYield = BT_EP_TRESCA;
 
 	/// G = E / (2 (1 + nu))

@@ -52,12 +52,26 @@ bool isBelow(btElasticPlasticSection& section, const char* quantity, btScalar va
 	return false;
 }
 
+void addRectangle(btElasticPlasticSection& s, double y, double z, double height, double width)
+{
+	btElasticPlasticSectionPart part;
+	part.m_y = btScalar(y);
+	part.m_z = btScalar(z);
+	part.m_height = btScalar(height);
+	part.m_width = btScalar(width);
+	s.m_parts.push_back(part);
+}
+
 void setRound(btElasticPlasticSection& s, double r, double inner, double plasticShearShare)
 {
 	const double m2 = inner * inner / (r * r), n = (1 + m2) * (1 + m2);
 	s.m_area = btScalar(PI * (r * r - inner * inner));
 	s.m_torsionConstant = btScalar(PI / 2 * (pow(r, 4) - pow(inner, 4)));
 	s.m_plasticTorsionModulus = btScalar(2 * PI / 3 * (pow(r, 3) - pow(inner, 3)));
+	btElasticPlasticSectionPart ring;
+	ring.m_radius = btScalar(r);
+	ring.m_innerRadius = btScalar(inner);
+	s.m_parts.push_back(ring);
 	for (int i = 0; i < 2; ++i)
 	{
 		// Cowper, The shear coefficient in Timoshenko's beam theory, 1966, hollow circle at nu = 0.
@@ -93,6 +107,7 @@ btElasticPlasticSection btElasticPlasticSection::rectangle(btScalar width, btSca
 	s.m_plasticModulus[1] = btScalar(b * h * h / 4);
 	s.m_outerFibre[0] = btScalar(h / 2);
 	s.m_outerFibre[1] = btScalar(b / 2);
+	addRectangle(s, 0, 0, h, b);
 	return s;
 }
 
@@ -143,6 +158,11 @@ btElasticPlasticSection btElasticPlasticSection::hollowRectangle(btScalar width,
 	s.m_plasticModulus[1] = btScalar((b * h * h - bi * hi * hi) / 4);
 	s.m_outerFibre[0] = btScalar(h / 2);
 	s.m_outerFibre[1] = btScalar(b / 2);
+	for (int side = -1; side <= 1; side += 2)
+	{
+		addRectangle(s, side * (h - t) / 2, 0, t, b);
+		addRectangle(s, 0, side * (b - t) / 2, hi, t);
+	}
 	return s;
 }
 
@@ -168,5 +188,8 @@ btElasticPlasticSection btElasticPlasticSection::iSection(btScalar width, btScal
 	s.m_plasticModulus[1] = btScalar(b * tf * (h - tf) + tw * hw * hw / 4);
 	s.m_outerFibre[0] = btScalar(h / 2);
 	s.m_outerFibre[1] = btScalar(b / 2);
+	addRectangle(s, 0, 0, hw, tw);
+	for (int side = -1; side <= 1; side += 2)
+		addRectangle(s, side * (h - tf) / 2, 0, tf, b);
 	return s;
 }

@@ -4,7 +4,9 @@
 #ifndef BT_ELASTIC_PLASTIC_STATE_H
 #define BT_ELASTIC_PLASTIC_STATE_H
 
+#include "LinearMath/btAlignedObjectArray.h"
 #include "LinearMath/btQuaternion.h"
+#include "btElasticPlasticFibre.h"
 
 /// All that a joint remembers from step to step. Copy it to save, put it back to rewind.
 /// The arrays run over the degrees of freedom (btElasticPlasticDof), components of the mid frame.
@@ -35,6 +37,11 @@ struct btElasticPlasticState
 		0;  ///< bit q: quantity q (btElasticPlasticQuantity) has passed its level and not fallen below it
 	unsigned long long m_supportDigest =
 		0;  ///< of the static or kinematic body's transform as it was last; 0: not seen, 1: none
+
+	/// Of a joint with fibres, in the capacity's order. Their forces add up to m_force in the axial direction and in bending.
+	btAlignedObjectArray<btElasticPlasticFibreState> m_fibres;
+	btScalar m_fibreStrain[3] =
+		{};  ///< elastic elongation and turns about y and z at the end of the last step [m], [rad]
 
 	/// Linear offset of the reference, plastic and initial [m].
 	btVector3 offset() const

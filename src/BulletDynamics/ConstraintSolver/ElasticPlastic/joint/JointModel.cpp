@@ -3,6 +3,8 @@
 
 #include "JointModel.h"
 
+#include <initializer_list>
+
 #include "BodyGate.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
@@ -108,6 +110,9 @@ btElasticPlasticFault JointModel::findStepFault() const
 
 namespace
 {
+/// A bound on what may be rounded to either side of it, over the bound.
+const btScalar ROUNDED = 1 + 8 * SIMD_EPSILON;
+
 bool isRotation(const btQuaternion& q)
 {
 	return btElasticPlasticIsFinite(q.length2()) && btFabs(q.length2() - 1) < FRAME_TOLERANCE;
@@ -127,11 +132,19 @@ btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
 				  {"the state's plastic path", state.m_plasticPath, BT_EP_DOF_COUNT},
 				  {"the state's withheld deformation", state.m_withheld, BT_EP_DOF_COUNT},
 				  {"the state's watched deformation", state.m_watched, BT_EP_DOF_COUNT},
-				  {"the state's initial offset", state.m_initial, 3}};
+				  {"the state's initial offset", state.m_initial, 3},
+				  {"the state's strain of fibres", state.m_fibreStrain, 3}};
 	for (const auto& array : arrays)
 		for (int i = 0; i < array.m_count; ++i)
 			if (!btElasticPlasticIsFinite(double(array.m_values[i])))
 				return btElasticPlasticFault(array.m_name, array.m_values[i], "finite", i);
+	for (int i = 0; i < state.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibreState& fibre = state.m_fibres[i];
+		for (const btScalar value : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage})
+			if (!btElasticPlasticIsFinite(double(value)))
+				return btElasticPlasticFault("a number of one of the state's fibres", value, "finite");
+	}
 	if (!btElasticPlasticIsFinite(state.m_work))
 		return btElasticPlasticFault("the state's work [J]", btScalar(state.m_work), "finite");
 	return btElasticPlasticFault();
@@ -148,19 +161,39 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 		return fault;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
-		// A force on the yield value may be rounded to either side of it.
-		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * (1 + 8 * SIMD_EPSILON) : btScalar(0);
-		if (btFabs(state.m_force[i]) > most)
+		// A force on the yield value may be rounded to either side of it. That of fibres is seen with them.
+		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * ROUNDED : btScalar(0);
+		if (btFabs(state.m_force[i]) > most && !isOfFibres(i))
 			return btElasticPlasticFault("the state's force", state.m_force[i],
 										 "within the joint's yield value (0 where it is not elastic-plastic)", i);
 		if (state.m_plasticPath[i] < 0)
 			return btElasticPlasticFault("the state's plastic path", state.m_plasticPath[i], "not negative", i);
 	}
+	if (const btElasticPlasticFault fault = findFibreFault(state))
+		return fault;
 	if (!btElasticPlasticIsFinite(state.m_plasticEnergy) || state.m_plasticEnergy < 0)
 		return btElasticPlasticFault("the state's plastic energy [J]", btScalar(state.m_plasticEnergy),
 									 "finite and not negative");
 	const btElasticPlasticFault fault = btElasticPlasticCheckNotNegative("the state's last step [s]", state.m_lastStep);
 	return fault ? fault : btElasticPlasticCheckNotNegative("the state's withheld step [s]", state.m_withheldStep);
+}
+
+btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& state) const
+{
+	if (state.m_fibres.size() != m_capacity.m_fibres.size())
+		return btElasticPlasticFault("number of the state's fibres", btScalar(state.m_fibres.size()),
+									 "that of the joint's capacity");
+	for (int i = 0; i < state.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibreState& own = state.m_fibres[i];
+		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
+		if (own.m_force > fibre.m_tension * ROUNDED || -own.m_force > fibre.m_compression * ROUNDED)
+			return btElasticPlasticFault("force of one of the state's fibres [N]", own.m_force,
+										 "within the fibre's tension and compression");
+		if (own.m_damage < 0)
+			return btElasticPlasticFault("damage of one of the state's fibres", own.m_damage, "not negative");
+	}
+	return btElasticPlasticFault();
 }
 
 void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
@@ -172,6 +205,7 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
 			m_dofs |= 1u << i;
 		else
 			m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = m_state.m_withheld[i] = 0;
+	takeFibres(former);
 	if (!m_hasReference)
 		takeRoundingAsReference();
 	else
@@ -246,6 +280,97 @@ void JointModel::setReferenceToCurrentPose()
 	m_state.m_plasticMiddle = rotation.m_middle;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = m_state.m_withheld[i] = 0;
+	m_state.m_fibres.resize(m_capacity.m_fibres.size());
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+		m_state.m_fibres[i].m_force = m_state.m_fibres[i].m_forceRate = m_state.m_fibres[i].m_offset = 0;
+	for (btScalar& strain : m_state.m_fibreStrain)
+		strain = 0;
+}
+
+// ---- fibres
+
+void JointModel::followFibres()
+{
+	const int dofs[3] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};
+	for (int k = 0; k < 3 && m_capacity.hasFibres(); ++k)
+		m_state.m_fibreStrain[k] = m_state.m_force[dofs[k]] / m_capacity.m_stiffness[dofs[k]];
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
+		btElasticPlasticFibreState& state = m_state.m_fibres[i];
+		const btScalar force = fibre.m_stiffness * (m_state.m_fibreStrain[0] + fibre.m_z * m_state.m_fibreStrain[1] -
+													fibre.m_y * m_state.m_fibreStrain[2]);
+		state.m_force = state.isRuptured() ? btScalar(0) : btMax(-fibre.m_compression, btMin(fibre.m_tension, force));
+		state.m_forceRate = state.m_offset = 0;
+	}
+}
+
+/// Fibres that stay keep their forces, new ones take theirs from the joint.
+void JointModel::takeFibres(const btElasticPlasticCapacity& before)
+{
+	const int n = m_capacity.m_fibres.size();
+	if (m_state.m_fibres.size() != n)
+	{
+		m_state.m_fibres.resize(0);
+		m_state.m_fibres.resize(n);
+		followFibres();
+		return;
+	}
+	for (int i = 0; i < n && i < before.m_fibres.size(); ++i)
+		m_state.m_fibres[i].m_offset += m_state.m_fibres[i].m_force / before.m_fibres[i].m_stiffness -
+										m_state.m_fibres[i].m_force / m_capacity.m_fibres[i].m_stiffness;
+}
+
+/// The share of the section's strength that is spent.
+btScalar JointModel::fibreDamage() const
+{
+	btScalar spent = 0, all = 0;
+	bool isAnyLeft = false;
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
+		const btScalar strength = btMax(fibre.m_tension, fibre.m_compression);
+		spent += strength * btMin(m_state.m_fibres[i].m_damage, btScalar(1));
+		all += strength;
+		isAnyLeft |= !m_state.m_fibres[i].isRuptured();
+	}
+	if (m_state.m_fibres.size() == 0)
+		return 0;
+	return isAnyLeft ? btMin(spent / all, 1 - SIMD_EPSILON) : btScalar(1);
+}
+
+btScalar JointModel::fibreUtilisation() const
+{
+	btScalar force = 0, strength = 0;
+	for (int i = 0; i < m_state.m_fibres.size() && usesFibres(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
+		const btElasticPlasticFibreState& state = m_state.m_fibres[i];
+		if (state.isRuptured())
+			continue;
+		force += btFabs(state.m_force);
+		strength += state.m_force > 0 ? fibre.m_tension : fibre.m_compression;
+	}
+	return strength > 0 ? force / strength : btScalar(0);
+}
+
+double JointModel::elasticEnergy() const
+{
+	double energy = 0;
+	const bool areFibres = usesFibres() && m_state.m_fibres.size() > 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (!(areFibres && isOfFibres(i)))
+			energy += 0.5 * double(m_state.m_force[i]) * double(elasticDeformation(i));
+	if (!areFibres)
+		return energy;
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+		energy += 0.5 * double(m_state.m_fibres[i].m_force) * double(m_state.m_fibres[i].m_force) /
+				  double(m_capacity.m_fibres[i].m_stiffness);
+	// The shears' deformation has a half of what they and the bendings have between them.
+	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && m_state.m_solvedExactly; ++i)
+		energy += 0.5 * double(m_state.m_force[i]) * double(m_capacity.couplingCompliance(i)) *
+				  double(m_state.m_force[btElasticPlasticCapacity::coupledWith(i)]);
+	return energy;
 }
 
 void JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])

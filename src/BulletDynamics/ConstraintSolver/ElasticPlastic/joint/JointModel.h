@@ -76,20 +76,37 @@ struct JointModel
 	btScalar elasticDeformation(int dof) const { return elasticDeformation(m_capacity, dof); }
 	btScalar elasticDeformation(const btElasticPlasticCapacity& capacity, int dof) const
 	{
+		if (m_state.m_solvedExactly && !m_isPaper && hasFibreStrain(capacity, dof))
+			return m_state.m_fibreStrain[dof == BT_EP_AXIAL ? 0 : dof - BT_EP_TORSION];
 		if (m_state.m_solvedExactly && !m_isPaper)
 			return capacity.elasticDeformation(m_state.m_force, dof);
 		return capacity.m_stiffness[dof] > 0 ? m_state.m_force[dof] / capacity.m_stiffness[dof] : btScalar(0);
 	}
 
-	/// Share of the ductility that is spent, the sum over the degrees of freedom (Miner's rule).
+	/// Share of the ductility that is spent, the sum over the degrees of freedom (Miner's rule), with fibres of the section as one.
 	btScalar damage() const
 	{
-		btScalar sum = 0;
+		btScalar sum = usesFibres() ? fibreDamage() : btScalar(0);
 		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-			sum += damage(i);
+			sum += isOfFibres(i) ? btScalar(0) : damage(i);
 		return sum;
 	}
-	btScalar damage(int dof) const { return m_state.m_plasticPath[dof] / m_capacity.m_ductility[dof]; }
+	btScalar damage(int dof) const
+	{
+		return isOfFibres(dof) ? fibreDamage() : m_state.m_plasticPath[dof] / m_capacity.m_ductility[dof];
+	}
+
+	/// What fibres bear over what they could, 0 without fibres.
+	btScalar fibreUtilisation() const;
+
+	/// In the springs [J].
+	double elasticEnergy() const;
+
+	/// Whether fibres stand for the axial force and the bending moments, for a solver that knows them.
+	bool usesFibres() const { return m_capacity.hasFibres() && !m_isPaper && !m_fault; }
+
+	/// Sets the fibres' state from the joint's forces, where a solver has not known them.
+	void followFibres();
 
 private:
 	RelativeRotation relativeRotation() const;
@@ -97,6 +114,14 @@ private:
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
 	void keepForce(const btElasticPlasticCapacity& before);
+	void takeFibres(const btElasticPlasticCapacity& before);
+	bool isOfFibres(int dof) const { return btElasticPlasticCapacity::isOfFibres(dof) && usesFibres(); }
+	bool hasFibreStrain(const btElasticPlasticCapacity& capacity, int dof) const
+	{
+		return btElasticPlasticCapacity::isOfFibres(dof) && capacity.hasFibres() && m_state.m_fibres.size() > 0;
+	}
+	btScalar fibreDamage() const;
+	btElasticPlasticFault findFibreFault(const btElasticPlasticState& state) const;
 };
 }  // namespace btElasticPlastic
 

@@ -23,10 +23,23 @@ struct JointRows
 		btScalar m_coupling;  ///< compliance between the two
 	};
 
+	/// Along the axis at a place of the section, see btElasticPlasticFibre.
+	struct Fibre
+	{
+		SoftRow m_soft;
+		btScalar m_y, m_z;
+		btScalar m_coupling[2];  ///< compliance between it and the two shears
+		signed char m_bound;     ///< where it ended in the last solution
+	};
+
 	Kinematics m_kinematics;  ///< gives the Jacobians
-	int m_numRows;
+	int m_numRows;            ///< without fibres
 	Row m_row[BT_EP_DOF_COUNT];
 	TensionDamping m_damping;
+	int m_numFibres = 0;
+	const Fibre* m_fibres = nullptr;   ///< kept by the joint's step
+	btScalar m_fibreDiagonal = 0;      ///< A of the axial row
+	int m_coupledShear[2] = {-1, -1};  ///< rows that are coupled with the fibres, -1: none
 };
 }  // namespace btElasticPlastic
 

@@ -18,19 +18,27 @@ void JointStep::project(const btVector3& linear, const btVector3& angular, btSca
 
 // ---- pose and step -> rows
 
-int JointStep::prepare()
+int JointStep::prepare(bool knowsFibres)
 {
 	m_numRows = 0;
+	m_usesFibres = knowsFibres && m_model.usesFibres();
 	if (m_model.m_state.m_broken || (m_model.bodyA().getInvMass() == 0 && m_model.bodyB().getInvMass() == 0))
 		return 0;
 	// Angular rows come first, as in Bullet's own classes.
+	const auto isPlain = [&](int dof)
+	{ return m_model.isElasticPlastic(dof) && !(m_usesFibres && btElasticPlasticCapacity::isOfFibres(dof)); };
 	for (int dof = 3; dof < BT_EP_DOF_COUNT; ++dof)
-		if (m_model.isElasticPlastic(dof))
+		if (isPlain(dof))
 			m_row[m_numRows++].m_dof = dof;
 	for (int dof = 0; dof < 3; ++dof)
-		if (m_model.isElasticPlastic(dof))
+		if (isPlain(dof))
 			m_row[m_numRows++].m_dof = dof;
-	return m_numRows;
+	const int numPlain = m_numRows;
+	// In the order of what fibres add up to.
+	for (int dof = 0; dof < BT_EP_DOF_COUNT && m_usesFibres; ++dof)
+		if (btElasticPlasticCapacity::isOfFibres(dof))
+			m_row[m_numRows++].m_dof = dof;
+	return numPlain;
 }
 
 /// Takes the motion of kinematic bodies out of the measured strain. A kinematic body is already where the step will take it,
@@ -187,8 +195,8 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 		return false;
 	const Kinematics& k = rows.m_kinematics = m_kinematics;
 	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
-	rows.m_numRows = m_numRows;
-	for (int r = 0; r < m_numRows; ++r)
+	rows.m_numRows = getNumPlainRows();
+	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		JointRows::Row& row = rows.m_row[r];
 		row.m_dof = m_row[r].m_dof;
@@ -199,7 +207,12 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 		row.m_partner = -1;
 		row.m_coupling = 0;
 	}
-	if (!m_model.m_isPaper)
+	if (m_usesFibres)
+	{
+		const btVector3& axis = k.m_axis[0];
+		m_fibres.begin(m_kinematics.m_strain, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt, rows);
+	}
+	else if (!m_model.m_isPaper)
 		couple(rows);
 	rows.m_damping = m_model.m_isPaper ? TensionDamping() : TensionDamping::of(m_model, k, dt);
 	return true;
@@ -214,6 +227,19 @@ void JointStep::getLoad(btVector3& force, btVector3& torque) const
 		sum[m_row[r].m_dof / 3] += m_kinematics.m_axis[m_row[r].m_dof % 3] * m_row[r].m_impulse;
 	force = sum[0] / m_dt;
 	torque = sum[1] / m_dt;
+}
+
+void JointStep::setSolution(const double* impulses, const signed char* bounds)
+{
+	const int numPlain = getNumPlainRows();
+	for (int r = 0; r < numPlain; ++r)
+		setImpulse(r, btScalar(impulses[r]), bounds[r]);
+	if (!m_usesFibres)
+		return;
+	btScalar resultant[3];
+	m_fibres.setSolution(impulses + numPlain, bounds + numPlain, resultant);
+	for (int k = 0; k < 3; ++k)
+		setImpulse(numPlain + k, resultant[k], 0);
 }
 
 void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2])
@@ -309,10 +335,11 @@ void JointStep::limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) c
 }
 
 /// The share of the step's flow by which the joint's ductility is spent: it bears nothing that comes later. 1: all of it, the joint holds.
+/// Fibres have taken their damage already.
 btScalar JointStep::shareUntilBreak(const ReturnMapping mapped[]) const
 {
 	btScalar damage = 0;
-	for (int r = 0; r < m_numRows; ++r)
+	for (int r = 0, numPlain = getNumPlainRows(); r < numPlain; ++r)
 		damage += btFabs(mapped[r].m_increment) / m_model.m_capacity.m_ductility[m_row[r].m_dof];
 	// Rounded up, so that the sum is not a little less than 1.
 	const btScalar left = 1 + 8 * SIMD_EPSILON - m_model.damage();
@@ -329,6 +356,43 @@ double JointStep::twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btV
 	for (int r = 0; r < m_numRows; ++r)
 		work += double(m_row[r].m_impulse) * (double(m_row[r].m_velocity0) + double(velocity1[m_row[r].m_dof]));
 	return work;
+}
+
+/// Maps the fibres, and what they add up to, the last three rows. After a search that has been cut all flow is given up: what the bodies
+/// have given for it is not known by fibre.
+FibreStep::Outcome JointStep::commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT])
+{
+	btScalar trial[BT_EP_DOF_COUNT];
+	RowOutcome outcomes[2];
+	const RowOutcome* shears[2] = {};
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		trial[i] = m_kinematics.m_strain[i];
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		const int dof = m_row[r].m_dof, shear = dof - BT_EP_SHEAR_Y;
+		const RowOutcome outcome = outcomeOf(r);
+		trial[dof] = outcome.m_trial;
+		if (shear == 0 || shear == 1)
+		{
+			outcomes[shear] = outcome;
+			shears[shear] = &outcomes[shear];
+		}
+	}
+	const FibreStep::Outcome outcome = m_fibres.commit(trial, shears, m_isCut);
+	const int numPlain = getNumPlainRows();
+	for (int r = 0; r < numPlain; ++r)
+	{
+		const int shear = m_row[r].m_dof - BT_EP_SHEAR_Y;
+		if (outcome.m_isCoupled && (shear == 0 || shear == 1))
+			mapped[r] = outcome.m_shear[shear];
+		if (!m_isCut)
+			continue;
+		mapped[r].m_unloaded += mapped[r].m_increment;
+		mapped[r].m_increment = 0;
+	}
+	for (int k = 0; k < 3; ++k)
+		mapped[numPlain + k] = {outcome.m_force[k], outcome.m_increment[k]};
+	return outcome;
 }
 
 int JointStep::commit()
@@ -360,9 +424,16 @@ int JointStep::commit()
 	ReturnMapping mappedRows[BT_EP_DOF_COUNT];
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 		m_row[r].m_velocity1 = velocity1[m_row[r].m_dof];
-	for (int r = 0, rows = m_numRows; r < rows; ++r)
+	const int numPlain = getNumPlainRows();
+	for (int r = 0; r < numPlain; ++r)
 		mappedRows[r] = isCut ? mapCut(r) : returnMap(r);
-	if (isCut)
+	if (m_usesFibres)
+	{
+		const FibreStep::Outcome outcome = commitFibres(mappedRows);
+		state.m_plasticEnergy += outcome.m_plasticEnergy;
+		flowed = outcome.m_flowed;
+	}
+	else if (isCut)
 		limitFlow(work - state.m_work, mappedRows);
 	const btScalar share = shareUntilBreak(mappedRows);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
@@ -376,9 +447,11 @@ int JointStep::commit()
 		unloaded[i] = mapped.m_unloaded - (m_hasRecovery ? m_dt * m_recovery[i] : btScalar(0));
 		if (mapped.m_increment == 0)
 			continue;
-		increment[i] = share * mapped.m_increment;
+		increment[i] = (r < numPlain ? share : btScalar(1)) * mapped.m_increment;
 		state.m_plastic[i] += increment[i];
 		state.m_plasticPath[i] += btFabs(increment[i]);
+		if (r >= numPlain)
+			continue;
 		const double force = isCut ? btFabs(double(mapped.m_force)) : double(m_model.m_capacity.m_yield[i]);
 		state.m_plasticEnergy += force * btFabs(double(increment[i]));
 		flowed = true;
@@ -391,10 +464,12 @@ int JointStep::commit()
 	state.m_work = work;
 	revert();
 	m_model.moveReference(unloaded);
-	if (!flowed)
-		return NOTHING;
+	if (!m_usesFibres)
+		m_model.followFibres();
 	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
 		m_model.turnReference(increment);
+	if (!flowed)
+		return NOTHING;
 	const int outcome = state.m_yielded ? NOTHING : YIELDED;
 	state.m_yielded = true;
 	state.m_broken = share < 1 || m_model.damage() >= 1;

@@ -4,6 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_JOINT_STEP_H
 #define BT_ELASTIC_PLASTIC_JOINT_STEP_H
 
+#include "FibreStep.h"
 #include "JointModel.h"
 #include "JointRows.h"
 #include "PaperLaw.h"
@@ -16,12 +17,14 @@ namespace btElasticPlastic
 class JointStep
 {
 public:
-	explicit JointStep(JointModel& model) : m_model(model) {}
+	explicit JointStep(JointModel& model) : m_model(model), m_fibres(model) {}
 
 	// ---- pose and step -> rows
 
-	/// Chooses the rows of a joint that may be solved. \return how many; none if it is broken
-	int prepare();
+	/// Chooses the rows of a joint that may be solved.
+	/// \param knowsFibres  whether the solver takes fibres instead of an axial row and two of bending
+	/// \return how many there are without fibres, none if the joint is broken
+	int prepare(bool knowsFibres = false);
 
 	/// Evaluates the joint at the bodies' present transforms and velocities, for a step of dt [s].
 	/// \return false, and the joint has no part in the step, if its strain is no number or the step not finite and above 0
@@ -49,7 +52,12 @@ public:
 		m_row[r].m_isBoundKnown = false;
 	}
 
-	/// The same for a solver that knows which rows are at a bound.
+	/// All of a solution by a solver that knows which rows are at a bound: first of the rows, then of the fibres.
+	void setSolution(const double* impulses, const signed char* bounds);
+
+	btScalar getImpulse(int r) const { return m_row[r].m_impulse; }
+
+	/// As setImpulse() for a solver that knows which rows are at a bound.
 	/// \param bound  -1 at the lower, 1 at the upper bound, 0 between
 	void setImpulse(int r, btScalar impulse, int bound)
 	{
@@ -100,6 +108,10 @@ public:
 	const signed char* getLastBounds() const { return m_lastBound; }
 	void setLastBound(int dof, signed char bound) { m_lastBound[dof] = bound; }
 
+	/// The same of the fibres, in the capacity's order.
+	std::vector<signed char> getLastFibreBounds() const { return m_fibres.getLastBounds(); }
+	void setLastFibreBounds(const std::vector<signed char>& bounds) { m_fibres.setLastBounds(bounds); }
+
 	/// J v of all six degrees of freedom from the relative velocity of A to B at the common point and the relative angular
 	/// velocity, or likewise a force's and a torque's components.
 	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
@@ -127,21 +139,24 @@ private:
 	void limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
 	void takeBackKinematicMotion();
+	int getNumPlainRows() const { return m_usesFibres ? m_numRows - 3 : m_numRows; }
+	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
 	JointModel& m_model;
-	int m_numRows = 0;
+	int m_numRows = 0;  ///< of a joint with fibres the last three are what these add up to
 	int m_numCommittedRows = 0;
 	btScalar m_dt = 0;
 	btScalar m_withheld[BT_EP_DOF_COUNT];  ///< strain that this step leaves to later ones, see withholdDrift()
 	btScalar m_withheldStep = 0;
-	bool m_hasRecovery = false, m_isCut = false;
+	bool m_hasRecovery = false, m_isCut = false, m_usesFibres = false;
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];
 	signed char m_lastBound[BT_EP_DOF_COUNT] = {};
+	FibreStep m_fibres;
 };
 }  // namespace btElasticPlastic
 

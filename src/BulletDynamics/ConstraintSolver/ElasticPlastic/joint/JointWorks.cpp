@@ -155,7 +155,7 @@ int JointWorks::prepare()
 		refuseWithoutRegistry();
 	tellFaultOnce();
 	m_isLeftOut = m_model.m_fault || !passesGate();
-	const int rows = m_isLeftOut ? 0 : m_step.prepare();
+	const int rows = m_isLeftOut ? 0 : m_step.prepare(m_request == NO_ROWS);
 	return m_request == NO_ROWS ? 0 : rows;
 }
 
@@ -284,10 +284,10 @@ void JointWorks::finishAlone(const double* impulses, const signed char* bounds)
 {
 	btTypedConstraint& constraint = m_model.m_constraint;
 	btScalar largest = 0;
+	m_step.setSolution(impulses, bounds);
 	for (int r = 0; r < m_step.getNumRows(); ++r)
 	{
-		const btScalar impulse = btScalar(impulses[r]);
-		m_step.setImpulse(r, impulse, bounds[r]);
+		const btScalar impulse = m_step.getImpulse(r);
 		btSetMax(largest, btFabs(impulse));
 		constraint.internalSetAppliedImpulse(impulse);
 	}

@@ -81,7 +81,7 @@ public:
 
 	/// Ends the solution begun by beginAlone(). Does with the impulses what Bullet does for its own rows: it fills the user's
 	/// feedback, sets Bullet's applied impulse, and applies Bullet's breaking threshold.
-	/// \param impulses, bounds  of the step's rows; a bound is -1, 0 or 1
+	/// \param impulses, bounds  of the step's rows, then of its fibres; a bound is -1, 0 or 1
 	void finishAlone(const double* impulses, const signed char* bounds);
 
 	// ---- for the registry

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "LinearMath/btAlignedObjectArray.h"
 #include "LinearMath/btTransform.h"
 
 namespace btElasticPlastic
@@ -34,12 +35,12 @@ public:
 	}
 
 	/// Begins a list. \return its length
-	template <class T>
-	size_t list(std::vector<T>& elements)
+	template <class List>
+	size_t list(List& elements)
 	{
 		uint32_t count = uint32_t(elements.size());
 		(*this)(count);
-		return elements.size();
+		return size_t(elements.size());
 	}
 
 private:
@@ -76,15 +77,15 @@ public:
 		value = byte == 1;
 	}
 
-	template <class T>
-	size_t list(std::vector<T>& elements)
+	template <class List>
+	size_t list(List& elements)
 	{
 		uint32_t count;
 		(*this)(count);
 		// An element has a byte at least.
 		m_hasFailed |= count > m_size - m_place;
-		elements.resize(m_hasFailed ? 0 : count);
-		return elements.size();
+		elements.resize(m_hasFailed ? 0 : decltype(elements.size())(count));
+		return size_t(elements.size());
 	}
 
 private:
@@ -131,6 +132,14 @@ void transferList(Archive& archive, std::vector<T>& elements)
 	archive.list(elements);
 	for (T& element : elements)
 		transfer(archive, element);
+}
+
+template <class Archive, class T>
+void transferList(Archive& archive, btAlignedObjectArray<T>& elements)
+{
+	archive.list(elements);
+	for (int i = 0; i < elements.size(); ++i)
+		transfer(archive, elements[i]);
 }
 
 /// Lists of numbers.

@@ -54,7 +54,10 @@ bool isFinite(const btElasticPlasticState& state)
 		sum += double(state.m_plastic[dof]) + double(state.m_force[dof]) + double(state.m_forceRate[dof]) +
 			   double(state.m_withheld[dof]) + double(state.m_applied[dof]) + double(state.m_plasticPath[dof]) +
 			   double(state.m_watched[dof]) +
-			   double(dof < 3 ? state.m_initial[dof] : 0);
+			   double(dof < 3 ? state.m_initial[dof] + state.m_fibreStrain[dof] : 0);
+	for (int i = 0; i < state.m_fibres.size(); ++i)
+		sum += double(state.m_fibres[i].m_force) + double(state.m_fibres[i].m_forceRate) +
+			   double(state.m_fibres[i].m_offset) + double(state.m_fibres[i].m_damage);
 	return btElasticPlasticIsFinite(sum);
 }
 
@@ -151,6 +154,7 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 	image.m_hasReference = model.m_hasReference;
 	image.m_isEnabled = model.m_constraint.isEnabled();
 	std::copy_n(joint.m_step.getLastBounds(), int(BT_EP_DOF_COUNT), image.m_lastBounds);
+	image.m_lastFibreBounds = joint.m_step.getLastFibreBounds();
 	image.m_numUncommitted = joint.getNumUncommitted();
 	image.m_nextRequest = joint.getNextRequest();
 	image.m_isSeparating = joint.m_separation.isUnderWay();
@@ -277,7 +281,7 @@ btElasticPlasticFault Snapshot::findForeignJoint(const WorldImage& image) const
 		const JointModel& model = m_joints[number]->m_model;
 		if (joint.m_bodies[0] != rankOf(model.bodyA()) || joint.m_bodies[1] != rankOf(model.bodyB()))
 			return foreign("number of a joint between these bodies", joint.m_number);
-		if (!isFinite(joint.m_state) ||
+		if (!isFinite(joint.m_state) || joint.m_state.m_fibres.size() != joint.m_capacity.m_fibres.size() ||
 			(!hasBodies(*m_joints[number]) && joint.m_state.m_broken != model.m_state.m_broken))
 			return foreign("state of a joint with the number", joint.m_number);
 		// Broken ones come last.
@@ -438,6 +442,7 @@ void Snapshot::writeRegistry(const WorldImage& image)
 		joint.m_model.m_constraint.setEnabled(from.m_isEnabled);
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 			joint.m_step.setLastBound(dof, from.m_lastBounds[dof]);
+		joint.m_step.setLastFibreBounds(from.m_lastFibreBounds);
 		joint.resume(from.m_numUncommitted, from.m_nextRequest);
 		// Which may be told from the bodies.
 		if (hasBodies(joint))

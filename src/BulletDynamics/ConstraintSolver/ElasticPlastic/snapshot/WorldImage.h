@@ -48,6 +48,13 @@ void transfer(Archive& archive, ObjectImage& image)
 }
 
 template <class Archive>
+void transfer(Archive& archive, btElasticPlasticFibreState& state)
+{
+	for (btScalar* number : {&state.m_force, &state.m_forceRate, &state.m_offset, &state.m_damage})
+		archive(*number);
+}
+
+template <class Archive>
 void transfer(Archive& archive, btElasticPlasticState& state)
 {
 	transfer(archive, state.m_plasticRotation);
@@ -69,6 +76,16 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	transfer(archive, state.m_watched);
 	archive(state.m_passedLevels);
 	archive(state.m_supportDigest);
+	transferList(archive, state.m_fibres);
+	transfer(archive, state.m_fibreStrain);
+}
+
+template <class Archive>
+void transfer(Archive& archive, btElasticPlasticFibre& fibre)
+{
+	for (btScalar* number : {&fibre.m_y, &fibre.m_z, &fibre.m_stiffness, &fibre.m_tension, &fibre.m_compression,
+							 &fibre.m_stretchLimit, &fibre.m_crushLimit})
+		archive(*number);
 }
 
 template <class Archive>
@@ -80,6 +97,7 @@ void transfer(Archive& archive, btElasticPlasticCapacity& capacity)
 	transfer(archive, capacity.m_coupling);
 	archive(capacity.m_length);
 	archive(capacity.m_rigidPlastic);
+	transferList(archive, capacity.m_fibres);
 }
 
 struct JointImage
@@ -92,6 +110,7 @@ struct JointImage
 	unsigned m_dofs = 0;
 	bool m_isPaper = false, m_hasReference = false, m_isEnabled = true;
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};
+	std::vector<signed char> m_lastFibreBounds;
 	int m_numUncommitted = 0, m_nextRequest = 0;
 	bool m_isSeparating = false;
 	btScalar m_overlap = 0;
@@ -110,6 +129,7 @@ void transfer(Archive& archive, JointImage& image)
 	archive(image.m_hasReference);
 	archive(image.m_isEnabled);
 	transfer(archive, image.m_lastBounds);
+	transferNumbers(archive, image.m_lastFibreBounds);
 	archive(image.m_numUncommitted);
 	archive(image.m_nextRequest);
 	archive(image.m_isSeparating);

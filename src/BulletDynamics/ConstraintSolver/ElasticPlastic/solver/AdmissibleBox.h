@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "../joint/CoupledBundle.h"
 #include "../joint/CoupledPair.h"
 #include "SystemInput.h"
 #include "UnitTangent.h"
@@ -21,7 +22,7 @@ namespace btElasticPlastic
 /// yield surface, stands beside this one with the same functions for its own units, and fills the unit's whole tangent.
 ///
 /// Here the bounds of all rows are independent, a box: lambda = clamp(u / C, lower, upper), row by row, and for two rows with
-/// coupled compliance as CoupledPair says.
+/// coupled compliance as CoupledPair says, for fibres and shears as CoupledBundle does.
 class AdmissibleBox
 {
 public:
@@ -51,6 +52,12 @@ public:
 			if (row.m_partner < int(i) && row.m_partner >= 0)
 				holdPair(input, row.m_partner, int(i));
 		}
+		for (const SystemInput::Bundle& bundle : input.m_bundles)
+		{
+			readBundle(input, bundle, [&](int row) { return input.m_rows[size_t(row)].m_target; });
+			m_bundle.hold();
+			writeBundle(input, bundle);
+		}
 	}
 
 	/// Computes impulses and bounds for a trial.
@@ -67,6 +74,8 @@ public:
 				hasChanged |= row.m_partner > int(i) && projectPair(input, along, int(i), row.m_partner);
 				continue;
 			}
+			if (row.isInBundle())
+				continue;
 			const double impulse = (row.m_target - along[i]) / row.m_compliance;
 			// Where both bounds are equal, as of friction without a normal impulse, the row counts as at its upper bound:
 			// otherwise rounding would decide on a bound, and count as a change.
@@ -76,6 +85,12 @@ public:
 			m_impulse[i] = bound > 0 ? row.m_upper : bound < 0 ? row.m_lower : impulse;
 			hasChanged |= bound != m_bound[i];
 			m_bound[i] = bound;
+		}
+		for (const SystemInput::Bundle& bundle : input.m_bundles)
+		{
+			readBundle(input, bundle, [&](int row) { return input.m_rows[size_t(row)].m_target - along[size_t(row)]; });
+			m_bundle.project();
+			hasChanged |= writeBundle(input, bundle);
 		}
 		return hasChanged;
 	}
@@ -91,6 +106,12 @@ public:
 			if (row.m_partner >= 0)
 				strain += 0.5 * row.m_coupling * m_impulse[size_t(row.m_partner)];
 			const double term = m_impulse[i] * (row.m_target - along[i] - strain);
+			sum += term;
+			terms += term < 0 ? -term : term;
+		}
+		for (const SystemInput::Bundle& bundle : input.m_bundles)
+		{
+			const double term = -input.getCouplingEnergy(bundle, m_impulse);
 			sum += term;
 			terms += term < 0 ? -term : term;
 		}
@@ -111,7 +132,7 @@ public:
 
 	/// Adds the derivatives of psi along the step, at a share t of it.
 	void addDerivatives(const SystemInput& input, const std::vector<double>& step, double t, double& first,
-						double& second) const
+						double& second)
 	{
 		for (size_t i = 0; i < m_impulse.size(); ++i)
 		{
@@ -122,11 +143,15 @@ public:
 					addPairDerivatives(input, step, t, int(i), row.m_partner, first, second);
 				continue;
 			}
+			if (row.isInBundle())
+				continue;
 			const double impulse = m_lineStart[i] - t * m_lineRate[i];
 			const double bounded = impulse < row.m_upper ? impulse : row.m_upper;
 			first -= step[i] * (bounded > row.m_lower ? bounded : row.m_lower);
 			second += impulse > row.m_lower && impulse < row.m_upper ? step[i] * m_lineRate[i] : 0.;
 		}
+		for (const SystemInput::Bundle& bundle : input.m_bundles)
+			addBundleDerivatives(input, bundle, step, t, first, second);
 	}
 
 	/// Adds a unit's tangent in world coordinates, see addUnitTangent().
@@ -136,12 +161,14 @@ public:
 		return addUnitTangent(*this, input, unit, linear, angular, mixed);
 	}
 
-	/// The tangent of a row, d lambda / du.
+	/// The tangent of a row, d lambda / du; of a fibre in a bundle as long as the shears' impulses stay, of these shears 0.
 	double getTangent(const SystemInput& input, int row) const
 	{
 		if (m_bound[row] != 0)
 			return 0;
 		const SystemInput::Bounded& terms = input.m_rows[row];
+		if (terms.m_partner == SystemInput::Bounded::SHEAR_OF_BUNDLE)
+			return 0;
 		if (terms.m_partner < 0)
 			return 1 / terms.m_compliance;
 		double diagonal[2], beside;
@@ -160,6 +187,26 @@ public:
 		const signed char bounds[2] = {m_bound[row], m_bound[partner]};
 		pairOf(input, row, partner).getTangent(bounds, diagonal, beside);
 		return beside;
+	}
+
+	/// By a bundle's shears, see CoupledBundle::Matrix.
+	CoupledBundle::Matrix getBundleInverse(const SystemInput& input, int index) const
+	{
+		const SystemInput::Bundle& bundle = input.m_bundles[size_t(index)];
+		CoupledBundle::Matrix matrix = {{1, 0, 1}};
+		bool isFree[2];
+		for (int s = 0; s < 2; ++s)
+		{
+			const int row = bundle.m_shearRow[s];
+			isFree[s] = row >= 0 && m_bound[size_t(row)] == 0;
+			if (row >= 0)
+				matrix.m_elements[2 * s] = input.m_rows[size_t(row)].m_compliance;
+		}
+		const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
+		for (int i = 0; i < unit.m_numFibres; ++i)
+			matrix.subtract(getTangent(input, unit.getFirstFibreRow() + i),
+							input.m_fibres[size_t(unit.m_firstFibre + i)].m_coupling);
+		return matrix.inverse(isFree[0], isFree[1]);
 	}
 
 	/// Notes that the rows' present tangent is in the matrix. \return whether it was another one before
@@ -256,9 +303,98 @@ private:
 		second += step[i] * step[i] * diagonal[0] + step[j] * step[j] * diagonal[1] + 2 * step[i] * step[j] * beside;
 	}
 
+	// ---- bundles
+
+	/// Fills m_bundle with terms and present bounds. \param targetOf  function of a row
+	template <class F>
+	void readBundle(const SystemInput& input, const SystemInput::Bundle& bundle, F targetOf)
+	{
+		const auto read = [&](int row, CoupledBundle::Spring& spring)
+		{
+			const SystemInput::Bounded& terms = input.m_rows[size_t(row)];
+			spring.m_compliance = terms.m_compliance;
+			spring.m_lower = terms.m_lower;
+			spring.m_upper = terms.m_upper;
+			spring.m_target = targetOf(row);
+			spring.m_bound = m_bound[size_t(row)];
+		};
+		const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
+		m_bundle.m_fibres.resize(size_t(unit.m_numFibres));
+		for (int i = 0; i < unit.m_numFibres; ++i)
+		{
+			CoupledBundle::Fibre& fibre = m_bundle.m_fibres[size_t(i)];
+			read(unit.getFirstFibreRow() + i, fibre);
+			for (int s = 0; s < 2; ++s)
+				fibre.m_coupling[s] = input.m_fibres[size_t(unit.m_firstFibre + i)].m_coupling[s];
+		}
+		for (int s = 0; s < 2; ++s)
+			if (bundle.m_shearRow[s] >= 0)
+				read(bundle.m_shearRow[s], m_bundle.m_shear[s]);
+			else
+				m_bundle.m_shear[s] = {1, 0, 0, 0, 0, 1};
+	}
+
+	/// Takes m_bundle's impulses and bounds. \return whether a bound has changed
+	bool writeBundle(const SystemInput& input, const SystemInput::Bundle& bundle)
+	{
+		bool hasChanged = false;
+		const auto write = [&](int row, const CoupledBundle::Spring& spring)
+		{
+			m_impulse[size_t(row)] = spring.m_force;
+			hasChanged |= m_bound[size_t(row)] != spring.m_bound;
+			m_bound[size_t(row)] = spring.m_bound;
+		};
+		const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
+		for (int i = 0; i < unit.m_numFibres; ++i)
+			write(unit.getFirstFibreRow() + i, m_bundle.m_fibres[size_t(i)]);
+		for (int s = 0; s < 2; ++s)
+			if (bundle.m_shearRow[s] >= 0)
+				write(bundle.m_shearRow[s], m_bundle.m_shear[s]);
+		return hasChanged;
+	}
+
+	/// The derivatives of psi of a bundle along a step.
+	void addBundleDerivatives(const SystemInput& input, const SystemInput::Bundle& bundle,
+							  const std::vector<double>& step, double t, double& first, double& second)
+	{
+		readBundle(input, bundle,
+				   [&](int row)
+				   {
+					   const size_t i = size_t(row);
+					   return (m_lineStart[i] - t * m_lineRate[i]) * input.m_rows[i].m_compliance;
+				   });
+		m_bundle.project();
+		const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
+		const bool isFree[2] = {m_bundle.m_shear[0].m_bound == 0, m_bundle.m_shear[1].m_bound == 0};
+		CoupledBundle::Matrix matrix = {{m_bundle.m_shear[0].m_compliance, 0, m_bundle.m_shear[1].m_compliance}};
+		double shear[2] = {};
+		for (int s = 0; s < 2; ++s)
+			if (bundle.m_shearRow[s] >= 0)
+			{
+				shear[s] = step[size_t(bundle.m_shearRow[s])];
+				first -= shear[s] * m_bundle.m_shear[s].m_force;
+			}
+		for (int i = 0; i < unit.m_numFibres; ++i)
+		{
+			const CoupledBundle::Fibre& fibre = m_bundle.m_fibres[size_t(i)];
+			const double along = step[size_t(unit.getFirstFibreRow() + i)];
+			first -= along * fibre.m_force;
+			if (fibre.m_bound != 0)
+				continue;
+			const double tangent = 1 / fibre.m_compliance;
+			matrix.subtract(tangent, fibre.m_coupling);
+			second += tangent * along * along;
+			for (int s = 0; s < 2; ++s)
+				shear[s] -= tangent * fibre.m_coupling[s] * along;
+		}
+		const CoupledBundle::Matrix inverse = matrix.inverse(isFree[0], isFree[1]);
+		second += shear[0] * inverse.multiply(0, shear) + shear[1] * inverse.multiply(1, shear);
+	}
+
 	std::vector<double> m_impulse;     // lambda, by row
 	std::vector<signed char> m_bound;  // -1 at the lower, 1 at the upper bound, 0 between
 	std::vector<char> m_isInTangent;
+	CoupledBundle m_bundle;                       // the one at hand
 	std::vector<double> m_lineStart, m_lineRate;  // u / C at a line's start, and what it falls by along it
 };
 }  // namespace btElasticPlastic

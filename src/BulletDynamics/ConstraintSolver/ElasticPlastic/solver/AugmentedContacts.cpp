@@ -130,6 +130,8 @@ void AugmentedContacts::addWork(const SystemInput& input, const std::vector<doub
 	for (const SystemInput::Unit& unit : input.m_units)
 		for (int r = unit.m_firstRow; r < unit.m_firstRow + unit.m_numRows; ++r)
 			add(input.m_rows[size_t(r)], impulses[size_t(r)]);
+	for (const SystemInput::Bundle& bundle : input.m_bundles)
+		cost += 2 * input.getCouplingEnergy(bundle, impulses);
 	for (int i = 0; i < input.getNumSingleRows(); ++i)
 	{
 		const SystemInput::SingleRow& row = input.m_singleRows[size_t(i)];

@@ -147,10 +147,22 @@ void Condensation::split(const SystemInput& input)
 	{
 		const bool inside = isInside(from.m_body);
 		SystemInput& to = inside ? m_input : m_outer;
-		SystemInput::Unit& unit = to.addUnit(from.m_numRows);
-		const int firstRow = unit.m_firstRow;
+		SystemInput::Unit& unit = to.addUnit(from.m_numRows, from.m_numFibres);
+		const int firstRow = unit.m_firstRow, firstFibre = unit.m_firstFibre;
 		unit = from;
 		unit.m_firstRow = firstRow;
+		unit.m_firstFibre = firstFibre;
+		for (int i = 0; i < from.m_numFibres; ++i)
+			to.m_fibres[size_t(firstFibre + i)] = input.m_fibres[size_t(from.m_firstFibre + i)];
+		if (from.m_bundle >= 0)
+		{
+			SystemInput::Bundle bundle = input.m_bundles[size_t(from.m_bundle)];
+			bundle.m_unit = int(to.m_units.size()) - 1;
+			for (int& row : bundle.m_shearRow)
+				row += row >= 0 ? firstRow - from.m_firstRow : 0;
+			unit.m_bundle = int(to.m_bundles.size());
+			to.m_bundles.push_back(bundle);
+		}
 		place(inside ? m_innerIndex : m_outerIndex, from.m_body, unit.m_body);
 		for (int r = 0; r < from.m_numRows; ++r)
 		{

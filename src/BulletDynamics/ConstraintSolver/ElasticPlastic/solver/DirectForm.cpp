@@ -178,6 +178,8 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 		m_input.m_guess[entry.m_firstRow + r].m_bound = from.m_bound;
 		entry.m_isCut |= row.m_lower > lower || row.m_upper < upper;
 	}
+	if (rows.m_numFibres > 0)
+		addFibres(rows, velocity, most, entry);
 	if (isUnit)
 	{
 		entry.m_firstDamping = m_input.getNumSingleRows();
@@ -190,7 +192,7 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 void DirectForm::addUnit(const JointRows& rows, const int bodies[2])
 {
 	const Kinematics& k = rows.m_kinematics;
-	SystemInput::Unit& unit = m_input.addUnit(rows.m_numRows);
+	SystemInput::Unit& unit = m_input.addUnit(rows.m_numRows + rows.m_numFibres, rows.m_numFibres);
 	for (int i = 0; i < 3; ++i)
 	{
 		for (int axis = 0; axis < 3; ++axis)
@@ -202,6 +204,51 @@ void DirectForm::addUnit(const JointRows& rows, const int bodies[2])
 		unit.m_body[side] = bodies[side];
 	for (int r = 0; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
 		unit.m_dof[r] = static_cast<signed char>(rows.m_row[r].m_dof);
+	for (int i = 0; i < rows.m_numFibres; ++i)
+	{
+		const JointRows::Fibre& from = rows.m_fibres[i];
+		m_input.m_fibres[size_t(unit.m_firstFibre + i)] = {
+			from.m_y, from.m_z, {double(from.m_coupling[0]), double(from.m_coupling[1])}};
+	}
+}
+
+/// The terms of a joint's fibres, whose rows follow its others.
+void DirectForm::addFibres(const JointRows& rows, const btVector3 velocity[2], double most, Joint& entry)
+{
+	const btVector3* const axis = rows.m_kinematics.m_axis;
+	const double axial = velocity[0].dot(axis[0]), turnY = velocity[1].dot(axis[1]), turnZ = velocity[1].dot(axis[2]);
+	for (int i = 0; i < rows.m_numFibres; ++i)
+	{
+		const JointRows::Fibre& from = rows.m_fibres[i];
+		const int r = entry.m_firstRow + rows.m_numRows + i;
+		SystemInput::Bounded& row = m_input.m_rows[size_t(r)];
+		const double lower = from.m_soft.m_lower, upper = from.m_soft.m_upper;
+		row.m_target = double(from.m_soft.m_velocity) - (axial + double(from.m_z) * turnY - double(from.m_y) * turnZ);
+		row.m_compliance = btMax(double(from.m_soft.m_compliance), HARD * double(rows.m_fibreDiagonal));
+		row.m_lower = btMax(lower, -most);
+		row.m_upper = btMin(upper, most);
+		m_input.m_guess[size_t(r)].m_bound = from.m_bound;
+		entry.m_isCut |= row.m_lower > lower || row.m_upper < upper;
+	}
+	if (rows.m_coupledShear[0] >= 0 || rows.m_coupledShear[1] >= 0)
+		coupleFibres(rows, entry);
+}
+
+/// Makes a bundle of the last unit's fibres and shears.
+void DirectForm::coupleFibres(const JointRows& rows, const Joint& entry)
+{
+	SystemInput::Unit& unit = m_input.m_units.back();
+	SystemInput::Bundle bundle = {int(m_input.m_units.size()) - 1, {-1, -1}};
+	for (int i = 0; i < unit.m_numFibres; ++i)
+		m_input.m_rows[size_t(unit.getFirstFibreRow() + i)].m_partner = SystemInput::Bounded::FIBRE_OF_BUNDLE;
+	for (int s = 0; s < 2; ++s)
+		if (rows.m_coupledShear[s] >= 0)
+		{
+			bundle.m_shearRow[s] = entry.m_firstRow + rows.m_coupledShear[s];
+			m_input.m_rows[size_t(bundle.m_shearRow[s])].m_partner = SystemInput::Bounded::SHEAR_OF_BUNDLE;
+		}
+	unit.m_bundle = int(m_input.m_bundles.size());
+	m_input.m_bundles.push_back(bundle);
 }
 
 /// \param spin  relative, with external torques
@@ -229,19 +276,26 @@ void DirectForm::addUnitAsSingleRows(const JointRows& rows, const int solverBodi
 {
 	const Kinematics& k = rows.m_kinematics;
 	const btVector3 none(0, 0, 0), arms[2] = {k.m_rA, k.m_rB};
-	for (int r = 0; r < rows.m_numRows; ++r)
+	/// \param along  direction, and arm beside that of the point; \param about  direction
+	const auto add = [&](const btVector3& along, const btVector3& about, const btVector3& arm)
 	{
 		SystemInput::SingleRow& row = m_input.addSingleRow();
-		const int dof = rows.m_row[r].m_dof;
 		for (int side = 0; side < 2; ++side)
 		{
-			const btVector3 axis = side == 0 ? k.m_axis[dof % 3] : -k.m_axis[dof % 3];
+			const btVector3 moment = (arms[side] + arm).cross(along) + about;
 			const btSolverBody& body = pools.m_bodies[solverBodies[side]];
-			copy(row.m_J + 6 * side, dof < 3 ? axis : none, body.m_linearFactor);
-			copy(row.m_J + 6 * side + 3, dof < 3 ? arms[side].cross(axis) : axis, body.m_angularFactor);
+			copy(row.m_J + 6 * side, side == 0 ? along : -along, body.m_linearFactor);
+			copy(row.m_J + 6 * side + 3, side == 0 ? moment : -moment, body.m_angularFactor);
 			row.m_body[side] = m_index[solverBodies[side]];
 		}
+	};
+	for (int r = 0; r < rows.m_numRows; ++r)
+	{
+		const int dof = rows.m_row[r].m_dof;
+		add(dof < 3 ? k.m_axis[dof] : none, dof < 3 ? none : k.m_axis[dof % 3], none);
 	}
+	for (int i = 0; i < rows.m_numFibres; ++i)
+		add(k.m_axis[0], none, k.m_axis[1] * rows.m_fibres[i].m_y + k.m_axis[2] * rows.m_fibres[i].m_z);
 }
 
 // ---- Bullet's rows

@@ -49,6 +49,7 @@ double largest(const std::vector<double>& elements)
 struct InteriorPoint::Tangents
 {
 	const std::vector<double>&m_tangent, &m_beside;
+	const std::vector<CoupledBundle::Matrix>& m_bundles;
 
 	bool addTangent(const SystemInput& input, const SystemInput::Unit& unit, double linear[9], double angular[9],
 					double mixed[9]) const
@@ -57,6 +58,7 @@ struct InteriorPoint::Tangents
 	}
 	double getTangentWithPartner(const SystemInput&, int row) const { return m_beside[size_t(row)]; }
 	double getTangent(const SystemInput&, int row) const { return m_tangent[size_t(row)]; }
+	CoupledBundle::Matrix getBundleInverse(const SystemInput&, int bundle) const { return m_bundles[size_t(bundle)]; }
 };
 
 double InteriorPoint::frictionBound(const SystemInput::SingleRow& friction, const SystemInput& input) const
@@ -65,9 +67,27 @@ double InteriorPoint::frictionBound(const SystemInput::SingleRow& friction, cons
 	return friction.getFrictionBound(std::max(LEAST_NORMAL, m_impulse[size_t(normal)]));
 }
 
-/// to += factor times what the partners' impulses add to C lambda.
-void InteriorPoint::addCoupling(double factor, std::vector<double>& to) const
+/// Calls f with each fibre's row, its coupling and the rows of its bundle's shears.
+template <class F>
+void InteriorPoint::forEachFibre(const SystemInput& input, const SystemInput::Bundle& bundle, F f)
 {
+	const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
+	for (int i = 0; i < unit.m_numFibres; ++i)
+		f(size_t(unit.getFirstFibreRow() + i), input.m_fibres[size_t(unit.m_firstFibre + i)].m_coupling);
+}
+
+/// to += factor times what the partners' impulses add to C lambda.
+void InteriorPoint::addCoupling(const SystemInput& input, double factor, std::vector<double>& to) const
+{
+	for (const SystemInput::Bundle& bundle : input.m_bundles)
+		for (int s = 0; s < 2; ++s)
+			if (const int shear = bundle.m_shearRow[s]; shear >= 0)
+				forEachFibre(input, bundle,
+							 [&](size_t fibre, const double coupling[2])
+							 {
+								 to[fibre] += factor * coupling[s] * m_impulse[size_t(shear)];
+								 to[size_t(shear)] += factor * coupling[s] * m_impulse[fibre];
+							 });
 	for (const Pair& pair : m_pairsOfRows)
 		for (int k = 0; k < 2; ++k)
 			to[size_t(pair.m_row[k])] += factor * pair.m_coupling * m_impulse[size_t(pair.m_row[1 - k])];
@@ -125,7 +145,7 @@ void InteriorPoint::beginRows(const SystemInput& input, const AugmentedContacts&
 }
 
 /// What the bounds push with: it balances the row, with the barrier beside it.
-void InteriorPoint::beginAtCentre()
+void InteriorPoint::beginAtCentre(const SystemInput& input)
 {
 	const size_t n = m_impulse.size();
 	double beyond = 0;
@@ -133,7 +153,7 @@ void InteriorPoint::beginAtCentre()
 	m_rest.resize(n);
 	for (size_t i = 0; i < n; ++i)
 		m_rest[i] = m_compliance[i] * m_impulse[i] + m_along[i] - m_target[i];
-	addCoupling(1, m_rest);
+	addCoupling(input, 1, m_rest);
 	for (size_t i = 0; i < n; ++i)
 	{
 		const double open = m_isOpen[i];
@@ -160,7 +180,7 @@ void InteriorPoint::beginAtCentre()
 }
 
 /// The tangents of all rows.
-void InteriorPoint::weigh()
+void InteriorPoint::weigh(const SystemInput& input)
 {
 	const size_t n = m_impulse.size();
 	m_tangent.resize(n);
@@ -183,6 +203,57 @@ void InteriorPoint::weigh()
 		a *= share;
 		b *= share;
 	}
+	weighBundles(input);
+}
+
+/// Of the shears of bundles, whose own tangents become 0: their part is in the inverse.
+void InteriorPoint::weighBundles(const SystemInput& input)
+{
+	m_bundles.resize(input.m_bundles.size());
+	for (size_t b = 0; b < m_bundles.size(); ++b)
+	{
+		const SystemInput::Bundle& bundle = input.m_bundles[b];
+		CoupledBundle::Matrix matrix = {{1, 0, 1}};
+		bool isOpen[2] = {};
+		for (int s = 0; s < 2; ++s)
+		{
+			const int row = bundle.m_shearRow[s];
+			isOpen[s] = row >= 0 && m_isOpen[size_t(row)] != 0;
+			if (!isOpen[s])
+				continue;
+			matrix.m_elements[2 * s] = 1 / m_tangent[size_t(row)];
+			m_tangent[size_t(row)] = 0;
+		}
+		forEachFibre(input, bundle,
+					 [&](size_t fibre, const double coupling[2]) { matrix.subtract(m_tangent[fibre], coupling); });
+		m_bundles[b] = matrix.inverse(isOpen[0], isOpen[1]);
+	}
+}
+
+/// to += (C + D)^-1 from, beyond what the rows' own tangents give.
+void InteriorPoint::addBundles(const SystemInput& input, const std::vector<double>& from, std::vector<double>& to) const
+{
+	for (size_t b = 0; b < m_bundles.size(); ++b)
+	{
+		const SystemInput::Bundle& bundle = input.m_bundles[b];
+		double right[2] = {};
+		for (int s = 0; s < 2; ++s)
+			if (bundle.m_shearRow[s] >= 0)
+				right[s] = from[size_t(bundle.m_shearRow[s])];
+		forEachFibre(input, bundle,
+					 [&](size_t fibre, const double coupling[2])
+					 {
+						 for (int s = 0; s < 2; ++s)
+							 right[s] -= coupling[s] * m_tangent[fibre] * from[fibre];
+					 });
+		const double shear[2] = {m_bundles[b].multiply(0, right), m_bundles[b].multiply(1, right)};
+		for (int s = 0; s < 2; ++s)
+			if (bundle.m_shearRow[s] >= 0)
+				to[size_t(bundle.m_shearRow[s])] += shear[s];
+		forEachFibre(input, bundle,
+					 [&](size_t fibre, const double coupling[2])
+					 { to[fibre] -= m_tangent[fibre] * (coupling[0] * shear[0] + coupling[1] * shear[1]); });
+	}
 }
 
 /// Finds the change of dv, and of all impulses, for m_right.
@@ -194,6 +265,7 @@ bool InteriorPoint::solveStep(const SystemInput& input, LinearSolver& solver)
 	for (const Pair& pair : m_pairsOfRows)
 		for (int k = 0; k < 2; ++k)
 			m_work[size_t(pair.m_row[k])] += m_right[size_t(pair.m_row[1 - k])] * m_beside[size_t(pair.m_row[k])];
+	addBundles(input, m_right, m_work);
 	m_change = m_momentum;
 	addImpulses(input, m_work.data(), m_change);
 	if (!solver.solve(m_change))
@@ -207,6 +279,13 @@ bool InteriorPoint::solveStep(const SystemInput& input, LinearSolver& solver)
 			const size_t i = size_t(pair.m_row[k]), partner = size_t(pair.m_row[1 - k]);
 			m_impulseChange[i] += (m_right[partner] - m_work[partner]) * m_beside[i];
 		}
+	if (!m_bundles.empty())
+	{
+		m_rest.resize(n);
+		for (size_t i = 0; i < n; ++i)
+			m_rest[i] = m_right[i] - m_work[i];
+		addBundles(input, m_rest, m_impulseChange);
+	}
 	return true;
 }
 
@@ -218,7 +297,7 @@ bool InteriorPoint::predict(const SystemInput& input, LinearSolver& solver)
 	m_work.resize(n);
 	for (size_t i = 0; i < n; ++i)
 		m_right[i] = m_isOpen[i] * (m_target[i] - m_along[i] - m_compliance[i] * m_impulse[i]);
-	addCoupling(-1, m_right);
+	addCoupling(input, -1, m_right);
 	if (!solveStep(input, solver))
 		return false;
 	double most = 1;   // the greatest of what falls in the step, over what there is of it
@@ -306,7 +385,7 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 	const std::vector<double> start = velocity;
 	project(input, velocity, m_along);
 	beginRows(input, contacts);
-	beginAtCentre();
+	beginAtCentre(input);
 	m_momentum.assign(velocity.size(), 0.);
 	multiplyMass(input, velocity, m_momentum);
 	for (double& element : m_momentum)
@@ -327,8 +406,8 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 		++m_statistics.m_interiorIterations;
 		{
 			const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);
-			weigh();
-			matrix.assembleAnew(input, Tangents{m_tangent, m_beside});
+			weigh(input);
+			matrix.assembleAnew(input, Tangents{m_tangent, m_beside, m_bundles});
 		}
 		if (!predict(input, solver))
 			break;

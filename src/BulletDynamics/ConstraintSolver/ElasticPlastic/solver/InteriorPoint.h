@@ -53,10 +53,14 @@ private:
 		double m_coupling;
 	};
 
-	void addCoupling(double factor, std::vector<double>& to) const;
+	template <class F>
+	static void forEachFibre(const SystemInput& input, const SystemInput::Bundle& bundle, F f);
+	void addCoupling(const SystemInput& input, double factor, std::vector<double>& to) const;
 	void beginRows(const SystemInput& input, const AugmentedContacts& contacts);
-	void beginAtCentre();
-	void weigh();
+	void beginAtCentre(const SystemInput& input);
+	void weigh(const SystemInput& input);
+	void weighBundles(const SystemInput& input);
+	void addBundles(const SystemInput& input, const std::vector<double>& from, std::vector<double>& to) const;
 	void moveFriction(const SystemInput& input);
 	void sumBarrier();
 	bool solveStep(const SystemInput& input, LinearSolver& solver);
@@ -73,7 +77,8 @@ private:
 	// By row.
 	std::vector<double> m_target, m_compliance, m_lower, m_upper;
 	std::vector<Pair> m_pairsOfRows;
-	std::vector<double> m_isOpen;  // 1; 0 where both bounds are the same
+	std::vector<CoupledBundle::Matrix> m_bundles;  // inverses by the shears of each, see CoupledBundle
+	std::vector<double> m_isOpen;                  // 1; 0 where both bounds are the same
 	std::vector<double> m_impulse, m_lowerPush, m_upperPush;
 	std::vector<double> m_overBelow, m_overAbove;  // 1 / distance to the bounds; 0 where both are the same
 	std::vector<double> m_along;                   // J dv

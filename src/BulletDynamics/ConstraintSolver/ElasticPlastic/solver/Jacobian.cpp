@@ -17,6 +17,23 @@ inline void addScaled(double factor, const double* a, double* to)
 		to[i] += factor * a[i];
 }
 
+/// Adds the force and the moments of a unit's fibres.
+void addFibres(const SystemInput& input, const SystemInput::Unit& unit, const double* impulses, double sum[2][3])
+{
+	if (unit.m_numFibres == 0)
+		return;
+	double axial = 0, aboutY = 0, aboutZ = 0;
+	for (int i = 0; i < unit.m_numFibres; ++i)
+	{
+		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
+		axial += impulses[i];
+		aboutY += fibre.m_z * impulses[i];
+		aboutZ -= fibre.m_y * impulses[i];
+	}
+	addScaled(axial, unit.m_axis[0], sum[0]);
+	addScaled(aboutY, unit.m_axis[1], sum[1]);
+	addScaled(aboutZ, unit.m_axis[2], sum[1]);
+}
 }  // namespace
 
 void project(const SystemInput& input, const std::vector<double>& velocity, std::vector<double>& along)
@@ -35,10 +52,20 @@ void project(const SystemInput& input, const std::vector<double>& velocity, std:
 			relative[1][i] = a[3 + i] - b[3 + i];
 		}
 		double* to = &along[unit.m_firstRow];
-		for (int r = 0; r < unit.m_numRows; ++r)
+		const int numPlain = unit.getNumPlainRows();
+		for (int r = 0; r < numPlain; ++r)
 		{
 			const int dof = unit.m_dof[r];
 			to[r] = dof < 3 ? dot(unit.m_axis[dof], relative[0]) : dot(unit.m_axis[dof - 3], relative[1]);
+		}
+		if (unit.m_numFibres == 0)
+			continue;
+		const double axial = dot(unit.m_axis[0], relative[0]), turnY = dot(unit.m_axis[1], relative[1]),
+					 turnZ = dot(unit.m_axis[2], relative[1]);
+		for (int i = 0; i < unit.m_numFibres; ++i)
+		{
+			const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
+			to[numPlain + i] = axial + fibre.m_z * turnY - fibre.m_y * turnZ;
 		}
 	}
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
@@ -55,11 +82,12 @@ void addImpulses(const SystemInput& input, const double* impulses, std::vector<d
 	for (const SystemInput::Unit& unit : input.m_units)
 	{
 		double sum[2][3] = {}, moment[3];
-		for (int r = 0; r < unit.m_numRows; ++r)
+		for (int r = 0; r < unit.getNumPlainRows(); ++r)
 		{
 			const int dof = unit.m_dof[r];
 			addScaled(impulses[unit.m_firstRow + r], unit.m_axis[dof % 3], sum[dof / 3]);
 		}
+		addFibres(input, unit, impulses + unit.getFirstFibreRow(), sum);
 		for (int side = 0; side < 2; ++side)
 		{
 			double* to = of(unit.m_body[side]);

@@ -31,8 +31,17 @@ struct SystemInput
 		double m_upper;
 		/// A row whose impulse adds to what this one asks for, J dv + C lambda + coupling lambda_partner = b, and the other way round;
 		/// -1: none. The compliance of both together is positive definite. Both are of one unit, or single rows of the same bodies.
-		int m_partner = -1;
+		int m_partner = NONE;
 		double m_coupling = 0;
+
+		/// Instead of a partner, for rows of m_bundles.
+		enum
+		{
+			NONE = -1,
+			FIBRE_OF_BUNDLE = -2,
+			SHEAR_OF_BUNDLE = -3
+		};
+		bool isInBundle() const { return m_partner < NONE; }
 	};
 
 	/// The impulse and bound of a row with which the search begins.
@@ -42,7 +51,7 @@ struct SystemInput
 		signed char m_bound = 0;  ///< -1 at the lower, 1 at the upper bound, 0 between
 	};
 
-	/// Rows along and about three axes through a point: J = [a, rA x a, -a, -rB x a] and [0, a, 0, -a].
+	/// Rows along and about three axes through a point: J = [a, rA x a, -a, -rB x a] and [0, a, 0, -a]. Those of its fibres come last.
 	struct Unit
 	{
 		double m_axis[3][3];  ///< a, at a right angle to each other, unit length
@@ -50,7 +59,28 @@ struct SystemInput
 		int m_body[2];        ///< by index, -1: one that does not move
 		int m_firstRow;       ///< of m_rows
 		int m_numRows;
-		signed char m_dof[6];  ///< of each row: 0 to 2 along, 3 to 5 about an axis
+		signed char m_dof[6];  ///< of each row but fibres: 0 to 2 along, 3 to 5 about an axis
+		int m_firstFibre = 0;  ///< of m_fibres
+		int m_numFibres = 0;
+		int m_bundle = -1;  ///< of m_bundles, -1: its rows' compliance is not coupled
+
+		int getNumPlainRows() const { return m_numRows - m_numFibres; }
+		int getFirstFibreRow() const { return m_firstRow + getNumPlainRows(); }
+	};
+
+	/// A row beside a unit's point, along its first axis, at y and z of the other two: J = J_0 + z J_4 - y J_5 of the unit's degrees of
+	/// freedom.
+	struct Fibre
+	{
+		double m_y, m_z;
+		double m_coupling[2];  ///< with the shears of its bundle, see CoupledBundle
+	};
+
+	/// Fibres of a unit whose compliance is coupled with that of its two shears.
+	struct Bundle
+	{
+		int m_unit;
+		int m_shearRow[2];  ///< of m_rows, -1: there is none
 	};
 
 	struct SingleRow
@@ -85,27 +115,47 @@ struct SystemInput
 	std::vector<Body> m_bodies;
 	std::vector<Unit> m_units;
 	std::vector<SingleRow> m_singleRows;
-	std::vector<Bounded> m_rows;  ///< of units and single rows, in the order in which they were added
-	std::vector<Guess> m_guess;   ///< of the same
+	std::vector<Fibre> m_fibres;    ///< of units, in their order
+	std::vector<Bundle> m_bundles;  ///< the same
+	std::vector<Bounded> m_rows;    ///< of units and single rows, in the order in which they were added
+	std::vector<Guess> m_guess;     ///< of the same
 	Condensed m_condensed;
 
 	void clear();
 
 	// The references are valid until the next one is added.
 	Body& addBody();
-	Unit& addUnit(int numRows);
+	/// \param numFibres  how many of the rows are fibres
+	Unit& addUnit(int numRows, int numFibres = 0);
 	SingleRow& addSingleRow();
+
+	/// Of a bundle's shears and fibres, sum of V_s b_is lambda_i.
+	/// \param impulses  by row
+	double getCouplingEnergy(const Bundle& bundle, const std::vector<double>& impulses) const;
 
 	int getNumBodies() const { return int(m_bodies.size()); }
 	int getNumRows() const { return int(m_rows.size()); }
 	int getNumSingleRows() const { return int(m_singleRows.size()); }
 };
 
+inline double SystemInput::getCouplingEnergy(const Bundle& bundle, const std::vector<double>& impulses) const
+{
+	const Unit& unit = m_units[size_t(bundle.m_unit)];
+	double energy = 0;
+	for (int s = 0; s < 2; ++s)
+		for (int i = 0; bundle.m_shearRow[s] >= 0 && i < unit.m_numFibres; ++i)
+			energy += impulses[size_t(bundle.m_shearRow[s])] * m_fibres[size_t(unit.m_firstFibre + i)].m_coupling[s] *
+					  impulses[size_t(unit.getFirstFibreRow() + i)];
+	return energy;
+}
+
 inline void SystemInput::clear()
 {
 	m_bodies.clear();
 	m_units.clear();
 	m_singleRows.clear();
+	m_fibres.clear();
+	m_bundles.clear();
 	m_rows.clear();
 	m_guess.clear();
 	m_condensed = Condensed();
@@ -117,12 +167,15 @@ inline SystemInput::Body& SystemInput::addBody()
 	return m_bodies.back();
 }
 
-inline SystemInput::Unit& SystemInput::addUnit(int numRows)
+inline SystemInput::Unit& SystemInput::addUnit(int numRows, int numFibres)
 {
 	m_units.emplace_back();
 	Unit& unit = m_units.back();
 	unit.m_firstRow = getNumRows();
 	unit.m_numRows = numRows;
+	unit.m_firstFibre = int(m_fibres.size());
+	unit.m_numFibres = numFibres;
+	m_fibres.resize(m_fibres.size() + size_t(numFibres));
 	m_rows.resize(m_rows.size() + size_t(numRows));
 	m_guess.resize(m_rows.size());
 	return unit;

@@ -25,7 +25,7 @@ public:
 	void assemble(const SystemInput& input, AdmissibleBox& box);
 
 	/// Computes H for tangents that have nothing to do with the last ones.
-	/// \param tangents  with addTangent(), getTangent() and getTangentWithPartner() of AdmissibleBox
+	/// \param tangents  with addTangent(), getTangent(), getTangentWithPartner() and getBundleInverse() of AdmissibleBox
 	template <class Tangents>
 	void assembleAnew(const SystemInput& input, const Tangents& tangents)
 	{

@@ -4,12 +4,72 @@
 #ifndef BT_ELASTIC_PLASTIC_UNIT_TANGENT_H
 #define BT_ELASTIC_PLASTIC_UNIT_TANGENT_H
 
+#include "../joint/CoupledBundle.h"
 #include "SystemInput.h"
 
 namespace btElasticPlastic
 {
+/// to += weight a b^T, 3x3 by columns.
+inline void addOuterProduct(double weight, const double a[3], const double b[3], double to[9])
+{
+	for (int c = 0; c < 3; ++c)
+		for (int k = 0; k < 3; ++k)
+			to[3 * c + k] += weight * b[c] * a[k];
+}
+
+/// Adds the tangent of a unit's fibres, sum of g g^T t with g = (1, z, -y) along the first axis and about the other two. Where they are
+/// coupled with the shears, with the inverse P that CoupledBundle::Matrix gives, that is Q P Q^T more, with a column of Q by shear: its
+/// own direction less sum t b g.
+template <class Tangents>
+void addFibreTangent(const Tangents& tangents, const SystemInput& input, const SystemInput::Unit& unit,
+					 double linear[9], double angular[9], double mixed[9])
+{
+	// Along the three axes, and about the second and third one.
+	double sum[5][5] = {}, q[2][5] = {};
+	for (int i = 0; i < unit.m_numFibres; ++i)
+	{
+		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
+		const double t = tangents.getTangent(input, unit.getFirstFibreRow() + i), g[2] = {fibre.m_z, -fibre.m_y};
+		sum[0][0] += t;
+		for (int k = 0; k < 2; ++k)
+		{
+			sum[0][3 + k] += t * g[k];
+			for (int l = k; l < 2; ++l)
+				sum[3 + k][3 + l] += t * g[k] * g[l];
+			if (unit.m_bundle < 0)
+				continue;
+			q[k][0] -= t * fibre.m_coupling[k];
+			for (int l = 0; l < 2; ++l)
+				q[k][3 + l] -= t * fibre.m_coupling[k] * g[l];
+		}
+	}
+	if (unit.m_bundle >= 0)
+	{
+		const CoupledBundle::Matrix inverse = tangents.getBundleInverse(input, unit.m_bundle);
+		q[0][1] = q[1][2] = 1;
+		for (int k = 0; k < 5; ++k)
+		{
+			const double column[2] = {q[0][k], q[1][k]};
+			for (int l = k; l < 5; ++l)
+				sum[k][l] += q[0][l] * inverse.multiply(0, column) + q[1][l] * inverse.multiply(1, column);
+		}
+	}
+	for (int k = 0; k < 5; ++k)
+		for (int l = k; l < 5; ++l)
+		{
+			const double weight = sum[k][l];
+			if (weight == 0)
+				continue;
+			const double *const a = unit.m_axis[k < 3 ? k : k - 2], *const b = unit.m_axis[l < 3 ? l : l - 2];
+			double* const to = l < 3 ? linear : k < 3 ? mixed : angular;
+			addOuterProduct(weight, a, b, to);
+			if (k != l && to != mixed)
+				addOuterProduct(weight, b, a, to);
+		}
+}
+
 /// Adds a unit's tangent in world coordinates, sum of a a^T d lambda / du, where rows have tangents of their own and with their partner.
-/// \param tangents         with getTangent() and getTangentWithPartner() of AdmissibleBox
+/// \param tangents         with getTangent(), getTangentWithPartner() and getBundleInverse() of AdmissibleBox
 /// \param linear, angular  3x3 by columns, of the rows along and about the axes
 /// \param mixed            of the rows along the axes, by what is about them
 /// \return whether there is anything in mixed
@@ -17,28 +77,24 @@ template <class Tangents>
 bool addUnitTangent(const Tangents& tangents, const SystemInput& input, const SystemInput::Unit& unit, double linear[9],
 					double angular[9], double mixed[9])
 {
-	const auto add = [](double weight, const double a[3], const double b[3], double to[9])
-	{
-		for (int c = 0; c < 3; ++c)
-			for (int k = 0; k < 3; ++k)
-				to[3 * c + k] += weight * b[c] * a[k];
-	};
-	bool isMixed = false;
-	for (int r = 0; r < unit.m_numRows; ++r)
+	bool isMixed = unit.m_numFibres > 0;
+	for (int r = 0; r < unit.getNumPlainRows(); ++r)
 	{
 		const int row = unit.m_firstRow + r;
 		const double weight = tangents.getTangent(input, row);
 		if (weight == 0)
 			continue;
 		const double* const axis = unit.m_axis[unit.m_dof[r] % 3];
-		add(weight, axis, axis, unit.m_dof[r] < 3 ? linear : angular);
+		addOuterProduct(weight, axis, axis, unit.m_dof[r] < 3 ? linear : angular);
 		const double beside = unit.m_dof[r] < 3 ? tangents.getTangentWithPartner(input, row) : 0;
 		if (beside == 0)
 			continue;
 		const int partner = input.m_rows[size_t(row)].m_partner - unit.m_firstRow;
-		add(beside, axis, unit.m_axis[unit.m_dof[partner] % 3], mixed);
+		addOuterProduct(beside, axis, unit.m_axis[unit.m_dof[partner] % 3], mixed);
 		isMixed = true;
 	}
+	if (unit.m_numFibres > 0)
+		addFibreTangent(tangents, input, unit, linear, angular, mixed);
 	return isMixed;
 }
 }  // namespace btElasticPlastic

@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "FibreStep.h"
+
+#include <math.h>
+
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// What a fibre that is open or ruptured counts for in the mean of plastic offsets: next to nothing, but the mean of the fibres of
+/// one line alone would not be defined.
+const double WEIGHT_OF_IDLE = 1e-3;
+
+bool isFree(const btRigidBody& body)
+{
+	const btVector3 one(1, 1, 1);
+	return body.getLinearFactor() == one && body.getAngularFactor() == one;
+}
+
+/// Solves a symmetric system of three equations; what is not determined stays 0.
+void solve(double matrix[3][3], double right[3], double solution[3])
+{
+	bool isDone[3] = {};
+	double scale[3];
+	for (int k = 0; k < 3; ++k)
+	{
+		scale[k] = matrix[k][k];
+		solution[k] = 0;
+	}
+	for (int k = 0; k < 3; ++k)
+	{
+		if (!(matrix[k][k] > 1e-9 * scale[k]))
+			continue;
+		isDone[k] = true;
+		for (int i = 0; i < 3; ++i)
+		{
+			if (i == k)
+				continue;
+			const double factor = matrix[i][k] / matrix[k][k];
+			for (int j = 0; j < 3; ++j)
+				matrix[i][j] -= factor * matrix[k][j];
+			right[i] -= factor * right[k];
+		}
+	}
+	for (int k = 0; k < 3; ++k)
+		if (isDone[k])
+			solution[k] = right[k] / matrix[k][k];
+}
+}  // namespace
+
+/// Without a yield value: a fibre has two.
+DofState FibreStep::stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const
+{
+	const btElasticPlasticFibre& own = m_model.m_capacity.m_fibres[fibre];
+	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[fibre];
+	const btScalar elongation =
+		strain[BT_EP_AXIAL] + own.m_z * strain[BT_EP_BENDING_Y] - own.m_y * strain[BT_EP_BENDING_Z] - state.m_offset;
+	return {own.m_stiffness, 0, elongation, state.m_force, state.m_forceRate, m_model.m_state.m_lastStep};
+}
+
+DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const
+{
+	const int dof = BT_EP_SHEAR_Y + shear;
+	const btElasticPlasticState& state = m_model.m_state;
+	return {m_model.m_capacity.m_stiffness[dof],
+			m_model.m_capacity.m_yield[dof],
+			strain[dof],
+			state.m_force[dof],
+			state.m_forceRate[dof],
+			state.m_lastStep};
+}
+
+/// Compliance between a fibre and a shear: that between the shear and the bending in its plane, at the fibre's place.
+double FibreStep::couplingOf(int fibre, int shear) const
+{
+	if (m_shearRow[shear] < 0 || m_model.m_state.m_fibres[fibre].isRuptured())
+		return 0;
+	const btElasticPlasticFibre& own = m_model.m_capacity.m_fibres[fibre];
+	return double(m_model.m_capacity.couplingCompliance(BT_EP_SHEAR_Y + shear)) *
+		   double(shear == 0 ? -own.m_y : own.m_z);
+}
+
+/// Coupling needs a unit of bodies that are free in all directions.
+void FibreStep::findCoupledRows(const JointRows& rows)
+{
+	const bool areFree = isFree(m_model.bodyA()) && isFree(m_model.bodyB());
+	m_shearRow[0] = m_shearRow[1] = -1;
+	for (int r = 0; r < rows.m_numRows; ++r)
+	{
+		const int shear = rows.m_row[r].m_dof - BT_EP_SHEAR_Y;
+		if ((shear == 0 || shear == 1) && areFree && m_model.m_capacity.couplingCompliance(BT_EP_SHEAR_Y + shear) != 0)
+			m_shearRow[shear] = r;
+	}
+}
+
+void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], btScalar diagonal, btScalar dt, JointRows& rows)
+{
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	const int n = capacity.m_fibres.size();
+	m_dt = dt;
+	m_rows.resize(n);
+	m_solution.resize(n, {0, 0});
+	findCoupledRows(rows);
+	btScalar a = capacity.m_stiffness[BT_EP_AXIAL] * diagonal;
+	for (int shear = 0; shear < 2; ++shear)
+		if (m_shearRow[shear] >= 0)
+			btSetMax(a, capacity.m_stiffness[BT_EP_SHEAR_Y + shear] * rows.m_row[m_shearRow[shear]].m_diagonal);
+	const Newmark scheme(a * dt * dt, dt, m_model.m_state.m_lastStep);
+	for (int i = 0; i < n; ++i)
+	{
+		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
+		const DofState s = stateOf(i, strain);
+		const btScalar known = scheme.known(s, dt);
+		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
+		JointRows::Fibre& row = m_rows[i];
+		row.m_soft = implicitRow(s, scheme, dt);
+		row.m_soft.m_lower = holds ? dt * (known - scheme.m_alpha * fibre.m_compression) : btScalar(0);
+		row.m_soft.m_upper = holds ? dt * (known + scheme.m_alpha * fibre.m_tension) : btScalar(0);
+		row.m_y = fibre.m_y;
+		row.m_z = fibre.m_z;
+		row.m_bound = m_solution[i].m_bound;
+		row.m_coupling[0] = row.m_coupling[1] = 0;
+	}
+	if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
+		couple(strain, scheme, rows);
+	rows.m_fibres = n > 0 ? &m_rows[0] : nullptr;
+	rows.m_numFibres = n;
+	rows.m_fibreDiagonal = diagonal;
+	for (int shear = 0; shear < 2; ++shear)
+		rows.m_coupledShear[shear] = m_shearRow[shear];
+}
+
+/// As coupledRows() of Law.h, for all fibres and both shears.
+void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const Newmark& scheme, JointRows& rows)
+{
+	for (int shear = 0; shear < 2; ++shear)
+	{
+		if (m_shearRow[shear] < 0)
+			continue;
+		const DofState s = stateOfShear(shear, strain);
+		const btScalar known = scheme.known(s, m_dt);
+		SoftRow& soft = rows.m_row[m_shearRow[shear]].m_soft;
+		soft = implicitRow(s, scheme, m_dt);
+		for (int i = 0; i < m_rows.size(); ++i)
+		{
+			const btScalar coupling = btScalar(couplingOf(i, shear)) / (scheme.m_alpha * m_dt);
+			m_rows[i].m_coupling[shear] = coupling / m_dt;
+			m_rows[i].m_soft.m_velocity += coupling * known;
+			soft.m_velocity += coupling * scheme.known(stateOf(i, strain), m_dt);
+		}
+	}
+}
+
+void FibreStep::setSolution(const double* impulses, const signed char* bounds, btScalar resultant[3])
+{
+	double sum[3] = {};
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		m_solution[i] = {btScalar(impulses[i]), bounds[i]};
+		sum[0] += impulses[i];
+		sum[1] += double(m_rows[i].m_z) * impulses[i];
+		sum[2] -= double(m_rows[i].m_y) * impulses[i];
+	}
+	for (int k = 0; k < 3; ++k)
+		resultant[k] = btScalar(sum[k]);
+}
+
+std::vector<signed char> FibreStep::getLastBounds() const
+{
+	std::vector<signed char> bounds;
+	for (int i = 0; i < m_solution.size(); ++i)
+		bounds.push_back(m_solution[i].m_bound);
+	return bounds;
+}
+
+void FibreStep::setLastBounds(const std::vector<signed char>& bounds)
+{
+	m_solution.resize(0);
+	for (const signed char bound : bounds)
+		m_solution.push_back({0, bound});
+}
+
+// ---- return mapping
+
+void FibreStep::mapAlone(const btScalar trial[BT_EP_DOF_COUNT])
+{
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+		const double elongation = stateOf(i, trial).m_strain, force = elongation * double(fibre.m_stiffness);
+		const int bound = m_solution[i].m_bound;
+		const double clamped = btMax(-double(fibre.m_compression), btMin(double(fibre.m_tension), force));
+		const bool flows = clamped != force && (force > 0 ? bound > 0 : bound < 0);
+		m_mapped[i] = {clamped, flows ? elongation - clamped / double(fibre.m_stiffness) : 0, 0};
+	}
+}
+
+void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome)
+{
+	m_bundle.m_fibres.resize(size_t(m_rows.size()));
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
+		CoupledBundle::Fibre& spring = m_bundle.m_fibres[size_t(i)];
+		spring.m_compliance = 1 / double(fibre.m_stiffness);
+		spring.m_lower = holds ? -double(fibre.m_compression) : 0;
+		spring.m_upper = holds ? double(fibre.m_tension) : 0;
+		spring.m_target = stateOf(i, trial).m_strain;
+		spring.m_bound = m_solution[i].m_bound;
+		for (int s = 0; s < 2; ++s)
+			spring.m_coupling[s] = couplingOf(i, s);
+	}
+	for (int s = 0; s < 2; ++s)
+	{
+		CoupledBundle::Spring& spring = m_bundle.m_shear[s];
+		spring = {1, 0, 0, 0, 0, 1};
+		if (m_shearRow[s] < 0)
+			continue;
+		const DofState state = stateOfShear(s, trial);
+		spring = {1 / double(state.m_stiffness),
+				  -double(state.m_yield),
+				  double(state.m_yield),
+				  double(state.m_strain),
+				  0,
+				  shears[s]->m_bound};
+	}
+	m_bundle.project();
+	const double shear[2] = {m_bundle.m_shear[0].m_force, m_bundle.m_shear[1].m_force};
+	double turned[2] = {};
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const CoupledBundle::Fibre& spring = m_bundle.m_fibres[size_t(i)];
+		const int bound = m_solution[i].m_bound;
+		const double elastic =
+			spring.m_force * spring.m_compliance + spring.m_coupling[0] * shear[0] + spring.m_coupling[1] * shear[1];
+		const bool flows = spring.m_bound != 0 && spring.m_bound == bound;
+		m_mapped[i] = {spring.m_force, flows ? spring.m_target - elastic : 0, 0};
+		for (int s = 0; s < 2; ++s)
+			turned[s] += spring.m_coupling[s] * spring.m_force;
+	}
+	outcome.m_isCoupled = true;
+	for (int s = 0; s < 2; ++s)
+	{
+		const CoupledBundle::Spring& spring = m_bundle.m_shear[s];
+		const bool flows = m_shearRow[s] >= 0 && spring.m_bound != 0 && spring.m_bound == shears[s]->m_bound;
+		outcome.m_shear[s].m_force = btScalar(spring.m_force);
+		outcome.m_shear[s].m_increment =
+			flows ? btScalar(spring.m_target - spring.m_force * spring.m_compliance - turned[s]) : btScalar(0);
+	}
+}
+
+/// The impulses' forces, which do not belong to the deformation: what is beyond them is given up.
+void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome)
+{
+	double shear[2] = {}, turned[2] = {};
+	for (int s = 0; s < 2; ++s)
+		if (m_shearRow[s] >= 0)
+			shear[s] = double(shears[s]->m_impulse) / double(m_dt);
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const double force = double(m_solution[i].m_impulse) / double(m_dt);
+		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+		double beyond = stateOf(i, trial).m_strain - force / double(fibre.m_stiffness);
+		for (int s = 0; s < 2; ++s)
+		{
+			beyond -= couplingOf(i, s) * shear[s];
+			turned[s] += couplingOf(i, s) * force;
+		}
+		const bool opens = fibre.m_tension == 0 && beyond > 0;
+		m_mapped[i] = {force, opens ? beyond : 0, opens ? 0 : beyond};
+	}
+	outcome.m_isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
+	for (int s = 0; s < 2; ++s)
+	{
+		if (m_shearRow[s] < 0)
+			continue;
+		const DofState state = stateOfShear(s, trial);
+		const double beyond = double(state.m_strain) - shear[s] / double(state.m_stiffness) - turned[s];
+		outcome.m_shear[s].m_force = btScalar(shear[s]);
+		outcome.m_shear[s].m_increment = 0;
+		outcome.m_shear[s].m_unloaded = btScalar(beyond);
+	}
+}
+
+/// Gives fibres their next state but for the mean of their offsets.
+void FibreStep::takeStates(Outcome& outcome)
+{
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	double sum[3] = {};
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
+		btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+		if (state.isRuptured())
+			continue;
+		Mapped& mapped = m_mapped[i];
+		// A crack opens without a force, and closes where it has opened.
+		const bool opens = mapped.m_increment > 0 && fibre.m_tension == 0;
+		if (mapped.m_increment != 0 && !opens)
+		{
+			outcome.m_flowed = true;
+			outcome.m_plasticEnergy += fabs(mapped.m_force * mapped.m_increment);
+			state.m_offset += btScalar(mapped.m_increment);
+			state.m_damage += btScalar(fabs(mapped.m_increment)) /
+							  (mapped.m_increment > 0 ? fibre.m_stretchLimit : fibre.m_crushLimit);
+		}
+		state.m_offset += btScalar(opens ? 0 : mapped.m_unloaded);
+		const double force = state.isRuptured() ? 0 : mapped.m_force;
+		state.m_forceRate = state.isRuptured() ? btScalar(0) : (btScalar(force) - state.m_force) / m_dt;
+		state.m_force = btScalar(force);
+		sum[0] += force;
+		sum[1] += double(fibre.m_z) * force;
+		sum[2] -= double(fibre.m_y) * force;
+	}
+	for (int k = 0; k < 3; ++k)
+		outcome.m_force[k] = btScalar(sum[k]);
+}
+
+/// Takes the mean of the fibres' offsets out of them: the plane that is nearest to them, weighed by stiffness.
+void FibreStep::takeMean(btScalar mean[3])
+{
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	double matrix[3][3] = {}, right[3] = {}, plane[3];
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
+		const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+		const bool isOpen = fibre.m_tension == 0 && m_mapped[i].m_increment > 0;
+		const double weight = double(fibre.m_stiffness) * (state.isRuptured() || isOpen ? WEIGHT_OF_IDLE : 1);
+		const double g[3] = {1, double(fibre.m_z), -double(fibre.m_y)};
+		for (int k = 0; k < 3; ++k)
+		{
+			right[k] += weight * g[k] * double(state.m_offset);
+			for (int l = 0; l < 3; ++l)
+				matrix[k][l] += weight * g[k] * g[l];
+		}
+	}
+	solve(matrix, right, plane);
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
+		m_model.m_state.m_fibres[i].m_offset -=
+			btScalar(plane[0] + double(fibre.m_z) * plane[1] - double(fibre.m_y) * plane[2]);
+	}
+	for (int k = 0; k < 3; ++k)
+		mean[k] = btScalar(plane[k]);
+}
+
+FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2],
+									 bool isCut)
+{
+	Outcome outcome;
+	m_mapped.resize(m_rows.size());
+	if (isCut)
+		mapCut(trial, shears, outcome);
+	else if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
+		mapCoupled(trial, shears, outcome);
+	else
+		mapAlone(trial);
+	takeStates(outcome);
+	if (outcome.m_flowed || isCut)
+		takeMean(outcome.m_increment);
+	const int dofs[3] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};
+	for (int k = 0; k < 3; ++k)
+		m_model.m_state.m_fibreStrain[k] = trial[dofs[k]] - outcome.m_increment[k];
+	return outcome;
+}
+}  // namespace btElasticPlastic

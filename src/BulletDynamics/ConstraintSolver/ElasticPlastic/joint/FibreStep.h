@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_FIBRE_STEP_H
+#define BT_ELASTIC_PLASTIC_FIBRE_STEP_H
+
+#include <vector>
+
+#include "CoupledBundle.h"
+#include "JointModel.h"
+#include "JointRows.h"
+
+namespace btElasticPlastic
+{
+/// The fibres of a joint in one step. They stand for its axial row and its two rows of bending, for a solver that solves all rows
+/// together.
+///
+/// A fibre's elongation is that of its place in the section, e + z a_y - y a_z in the mid frame, less its own plastic offset. Its row is
+/// that of Law.h, with bounds from its strengths in tension and in compression. All fibres have one alpha and beta, those of the
+/// axial row, and of the shears too where these are coupled with bending. The offsets of fibres have no mean: what they have in common
+/// is the joint's plastic deformation, by which the reference moves.
+class FibreStep
+{
+public:
+	explicit FibreStep(JointModel& model) : m_model(model) {}
+
+	/// Makes the fibres' rows, and couples them with those of the shears.
+	/// \param strain    of the joint's six degrees of freedom, as the step meets it
+	/// \param diagonal  A of the axial row
+	/// \param rows      with the rows of the other degrees of freedom; gets the fibres
+	void begin(const btScalar strain[BT_EP_DOF_COUNT], btScalar diagonal, btScalar dt, JointRows& rows);
+
+	/// What the solver has made of the fibres' rows. \param resultant  gets N, M_y and M_z over the step, as impulses
+	void setSolution(const double* impulses, const signed char* bounds, btScalar resultant[3]);
+
+	/// Return mapping of the step, of the section as a whole.
+	struct Outcome
+	{
+		btScalar m_force[3] = {};      ///< N, M_y, M_z at the end of the step
+		btScalar m_increment[3] = {};  ///< of the joint's plastic deformation: elongation, turns about y and z
+		double m_plasticEnergy = 0;
+		bool m_flowed = false;
+		bool m_isCoupled = false;  ///< whether the shears' mapping follows from the fibres' one, as given here
+		ReturnMapping m_shear[2];
+	};
+
+	/// Maps all fibres, and changes their state.
+	/// \param trial   deformation of the six degrees of freedom if the whole step was elastic
+	/// \param shears  of the two shears, null: no row
+	/// \param isCut   the impulses are of a search that has been cut: then all flow is given up
+	Outcome commit(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], bool isCut);
+
+	/// By fibre: -1, 0 or 1. The next step's search for the fibres at their bounds begins with them.
+	std::vector<signed char> getLastBounds() const;
+	void setLastBounds(const std::vector<signed char>& bounds);
+
+private:
+	struct Solution
+	{
+		btScalar m_impulse;
+		signed char m_bound;
+	};
+	struct Mapped
+	{
+		double m_force, m_increment;
+		double m_unloaded;  ///< given up, neither elastic nor plastic
+	};
+
+	DofState stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const;
+	DofState stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const;
+	double couplingOf(int fibre, int shear) const;
+	void findCoupledRows(const JointRows& rows);
+	void couple(const btScalar strain[BT_EP_DOF_COUNT], const Newmark& scheme, JointRows& rows);
+	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
+	void mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
+	void mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
+	void takeStates(Outcome& outcome);
+	void takeMean(btScalar mean[3]);
+
+	JointModel& m_model;
+	btScalar m_dt = 0;
+	int m_shearRow[2] = {-1, -1};  ///< of the joint's rows that are coupled with the fibres, -1: none
+	btAlignedObjectArray<JointRows::Fibre> m_rows;
+	btAlignedObjectArray<Solution> m_solution;
+	btAlignedObjectArray<Mapped> m_mapped;
+	CoupledBundle m_bundle;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_FIBRE_STEP_H

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_FIBRE_H
+#define BT_ELASTIC_PLASTIC_FIBRE_H
+
+#include "LinearMath/btScalar.h"
+
+/// One of the strips of which a joint's section consists where axial force and bending moments yield together: a spring along the
+/// joint's x axis that yields by itself. With the elongation e and the turns a_y, a_z of the section, it is stretched by
+/// e + z a_y - y a_z, and its force f gives N = f, M_y = z f, M_z = -y f.
+struct btElasticPlasticFibre
+{
+	btScalar m_y = 0, m_z = 0;  ///< its place in the section, in the joint's frame [m], finite
+	btScalar m_stiffness = 0;   ///< [N/m], finite, at least btElasticPlasticCapacity::leastStiffness()
+	btScalar m_tension =
+		0;  ///< force at which it flows when it is stretched [N], finite, >= 0; 0: it opens, and closes again
+	btScalar m_compression = 0;                          ///< the same when it is pressed [N]; not both 0
+	btScalar m_stretchLimit = btScalar(BT_LARGE_FLOAT);  ///< plastic elongation at which it ruptures [m], > 0
+	btScalar m_crushLimit = btScalar(BT_LARGE_FLOAT);    ///< plastic shortening at which it is crushed [m], > 0
+};
+
+/// What a fibre remembers from step to step.
+struct btElasticPlasticFibreState
+{
+	btScalar m_force = 0;      ///< tension is positive [N]
+	btScalar m_forceRate = 0;  ///< by the last step [N/s]
+	btScalar m_offset = 0;     ///< plastic elongation beside what the joint's plastic deformation gives its place [m]
+	btScalar m_damage =
+		0;  ///< share of its ductility that is spent, by the sum of both directions; from 1 on it bears nothing
+
+	bool isRuptured() const { return m_damage >= 1; }
+};
+
+#endif  // BT_ELASTIC_PLASTIC_FIBRE_H

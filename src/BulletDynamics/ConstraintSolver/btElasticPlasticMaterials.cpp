@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "btElasticPlasticMaterials.h"
+
+#include <string.h>
+
+namespace
+{
+/// One line of the table, in the units in which standards print it.
+struct Line
+{
+	const char* m_name;
+	const char* m_source;
+	double m_youngs;  ///< [GPa]
+	double m_poisson;
+	double m_density;         ///< [kg/m^3]
+	double m_strength;        ///< in compression [MPa]
+	double m_tension;         ///< [MPa]
+	double m_ultimateStrain;  ///< plastic, in tension
+	double m_crushingStrain;  ///< plastic; 0: the same
+};
+
+const char* const STEEL = "EN 1993-1-1, 3.2.6 and table 3.1; least elongation by EN 10025-2, table 7";
+const char* const FINE_STEEL = "EN 1993-1-1, 3.2.6 and table 3.1; least elongation by EN 10025-3";
+const char* const BARS = "EN 1992-1-1, 3.2.7 and table C.1";
+const char* const CONCRETE = "EN 1992-1-1, table 3.1 and 3.1.3; no tension as in 6.1";
+const char* const ALUMINIUM = "EN 1999-1-1, 3.2.5 and table 3.2b, extruded";
+const char* const TIMBER = "EN 338, C24";
+
+/// Crushed at a strain of 0.35 %, of which the plastic part is given.
+double crushing(double strength, double youngs) { return 0.0035 - strength / (1000 * youngs); }
+
+const Line TABLE[] = {
+	{"S235", STEEL, 210, 0.3, 7850, 235, 235, 0.26, 0},
+	{"S275", STEEL, 210, 0.3, 7850, 275, 275, 0.23, 0},
+	{"S355", STEEL, 210, 0.3, 7850, 355, 355, 0.22, 0},
+	{"S420", FINE_STEEL, 210, 0.3, 7850, 420, 420, 0.19, 0},
+	{"S460", FINE_STEEL, 210, 0.3, 7850, 460, 460, 0.17, 0},
+	{"A992", "ASTM A992: 50 ksi, 18 % in 8 in; AISC 360 for the modulus", 200, 0.3, 7850, 345, 345, 0.18, 0},
+	{"B500A", BARS, 200, 0.3, 7850, 500, 500, 0.025, 0},
+	{"B500B", BARS, 200, 0.3, 7850, 500, 500, 0.05, 0},
+	{"B500C", BARS, 200, 0.3, 7850, 500, 500, 0.075, 0},
+	{"C20/25", CONCRETE, 30, 0.2, 2400, 20, 0, 0.0035, crushing(20, 30)},
+	{"C25/30", CONCRETE, 31, 0.2, 2400, 25, 0, 0.0035, crushing(25, 31)},
+	{"C30/37", CONCRETE, 33, 0.2, 2400, 30, 0, 0.0035, crushing(30, 33)},
+	{"C35/45", CONCRETE, 34, 0.2, 2400, 35, 0, 0.0035, crushing(35, 34)},
+	{"C40/50", CONCRETE, 35, 0.2, 2400, 40, 0, 0.0035, crushing(40, 35)},
+	{"C45/55", CONCRETE, 36, 0.2, 2400, 45, 0, 0.0035, crushing(45, 36)},
+	{"C50/60", CONCRETE, 37, 0.2, 2400, 50, 0, 0.0035, crushing(50, 37)},
+	{"6061-T6", ALUMINIUM, 70, 0.3, 2700, 240, 240, 0.08, 0},
+	{"6082-T6", ALUMINIUM, 70, 0.3, 2700, 260, 260, 0.1, 0},
+	{"GJL-250", "EN 1561, annex A: typical values of EN-GJL-250", 110, 0.26, 7200, 840, 250, 0.003, 0.1},
+	{"C24 along", TIMBER, 11, 0.3, 420, 21, 14, 0.001, 0.01},
+	{"C24 across", TIMBER, 0.37, 0.3, 420, 2.5, 0.4, 0.001, 0.05},
+	{"clay brick", "EN 1996-1-1, 3.6 to 3.8: f_k = 5 MPa, E = 1000 f_k, bond 0.1 MPa across bed joints", 5, 0.2, 1800,
+	 5, 0.1, 1e-4, crushing(5, 5)},
+	{"float glass", "EN 572-1: modulus, density, 45 MPa in bending", 70, 0.2, 2500, 45, 45, 1e-5, 0},
+	{"toughened glass", "EN 572-1; EN 12150-1: 120 MPa in bending", 70, 0.2, 2500, 120, 120, 1e-5, 0},
+};
+const int COUNT = int(sizeof TABLE / sizeof TABLE[0]);
+
+btElasticPlasticMaterial materialOf(const Line& line)
+{
+	btElasticPlasticMaterial m;
+	m.m_youngsModulus = btScalar(line.m_youngs * 1e9);
+	m.m_poissonsRatio = btScalar(line.m_poisson);
+	m.m_density = btScalar(line.m_density);
+	m.m_yieldStress = btScalar(line.m_strength * 1e6);
+	m.m_tensileShare = btScalar(line.m_tension / line.m_strength);
+	m.m_ultimatePlasticStrain = btScalar(line.m_ultimateStrain);
+	m.m_crushingStrain = btScalar(line.m_crushingStrain);
+	m.m_shearYield = BT_EP_VON_MISES;
+	return m;
+}
+}  // namespace
+
+int btElasticPlasticReadyMaterial::count() { return COUNT; }
+
+btElasticPlasticReadyMaterial btElasticPlasticReadyMaterial::at(int index)
+{
+	const Line& line = TABLE[index >= 0 && index < COUNT ? index : 0];
+	return {line.m_name, line.m_source, materialOf(line)};
+}
+
+btElasticPlasticMaterial btElasticPlasticReadyMaterial::find(const char* name)
+{
+	for (const Line& line : TABLE)
+		if (name && strcmp(name, line.m_name) == 0)
+			return materialOf(line);
+	btElasticPlasticMaterial none;
+	none.m_density = 0;
+	return none;
+}

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// Sections cut into fibres, against integrals over their shape.
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
+#include "support/Close.h"
+
+namespace
+{
+const btScalar YIELD = btScalar(250e6);
+
+btElasticPlasticMaterial steel() { return btElasticPlasticMaterial::steel(YIELD); }
+
+struct Cell
+{
+	double y, z, tension, compression;
+};
+
+/// A direction of N, M_y, M_z.
+struct Direction
+{
+	double n, y, z;
+};
+
+/// What a section of cells bears in a direction: the most of n N + y M_y + z M_z.
+double support(const std::vector<Cell>& cells, const Direction& q)
+{
+	double sum = 0;
+	for (const Cell& cell : cells)
+	{
+		const double stretch = q.n + q.y * cell.z - q.z * cell.y;
+		sum += stretch * (stretch > 0 ? cell.tension : -cell.compression);
+	}
+	return sum;
+}
+
+std::vector<Cell> cellsOf(const btElasticPlasticCapacity& capacity)
+{
+	std::vector<Cell> cells;
+	for (int i = 0; i < capacity.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
+		cells.push_back({fibre.m_y, fibre.m_z, fibre.m_tension, fibre.m_compression});
+	}
+	return cells;
+}
+
+/// The shape in so many cells that they err by less than 1 / 80^2, 0.02 %.
+std::vector<Cell> finely(const btElasticPlasticSection& section)
+{
+	const int n = 80;
+	std::vector<Cell> cells;
+	for (int p = 0; p < section.m_parts.size(); ++p)
+	{
+		const btElasticPlasticSectionPart& part = section.m_parts[p];
+		for (int i = 0; i < n; ++i)
+			for (int j = 0; j < n; ++j)
+			{
+				const double u = (i + 0.5) / n, v = (j + 0.5) / n;
+				if (part.m_radius > 0)
+				{
+					// Equal areas.
+					const double inner = part.m_innerRadius, outer = part.m_radius;
+					const double r = std::sqrt(inner * inner + u * (outer * outer - inner * inner)),
+								 angle = 2 * M_PI * v;
+					const double force = double(section.m_area) / n / n * double(YIELD);
+					cells.push_back({r * std::sin(angle), r * std::cos(angle), force, force});
+					continue;
+				}
+				const double force = double(part.m_height) * double(part.m_width) / n / n * double(YIELD);
+				cells.push_back(
+					{part.m_y + (u - 0.5) * part.m_height, part.m_z + (v - 0.5) * part.m_width, force, force});
+			}
+	}
+	return cells;
+}
+
+btElasticPlasticCapacity capacityOf(const btElasticPlasticSection& section)
+{
+	return btElasticPlasticCapacity::fromMember(steel(), section, 1, 1);
+}
+
+/// The largest deviation over random directions, each of N, M_y, M_z counting by what the section bears of it alone.
+double deviation(const btElasticPlasticSection& shape, int count)
+{
+	const std::vector<Cell> exact = finely(shape), fibres = cellsOf(capacityOf(shape.withFibres(count)));
+	const double of[] = {support(exact, {1, 0, 0}), support(exact, {0, 1, 0}), support(exact, {0, 0, 1})};
+	std::mt19937 random(1);
+	std::normal_distribution<double> normal;
+	double most = 0;
+	for (int i = 0; i < 2000; ++i)
+	{
+		const Direction q = {normal(random) / of[0], normal(random) / of[1], normal(random) / of[2]};
+		most = std::max(most, std::fabs(support(fibres, q) / support(exact, q) - 1));
+	}
+	return most;
+}
+
+struct Shape
+{
+	const char* m_name;
+	btElasticPlasticSection m_section;
+};
+
+std::vector<Shape> shapes()
+{
+	return {
+		{"square", btElasticPlasticSection::rectangle(btScalar(0.02), btScalar(0.02))},
+		{"rectangle", btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.5))},
+		{"circle", btElasticPlasticSection::circle(btScalar(0.05))},
+		{"tube", btElasticPlasticSection::hollowCircle(btScalar(0.05), btScalar(0.005))},
+		{"box", btElasticPlasticSection::hollowRectangle(btScalar(0.1), btScalar(0.2), btScalar(0.006))},
+		{"IPE 200",
+		 btElasticPlasticSection::iSection(btScalar(0.1), btScalar(0.2), btScalar(0.0056), btScalar(0.0085))},
+		{"HEB 200", btElasticPlasticSection::iSection(btScalar(0.2), btScalar(0.2), btScalar(0.009), btScalar(0.015))}};
+}
+
+TEST(SectionFibres, BearWhatTheSectionBearsInAllDirections)
+{
+	// What withFibres() says of its numbers, with the two digits it says it in.
+	for (const Shape& shape : shapes())
+	{
+		EXPECT_LE(deviation(shape.m_section, 0), 0.025) << shape.m_name;
+		EXPECT_LE(deviation(shape.m_section, 60), 0.0115) << shape.m_name;
+	}
+}
+
+TEST(SectionFibres, AreExactWhereOneForceActsAlone)
+{
+	for (const Shape& shape : shapes())
+		for (const int count : {0, 12, 16, 36, 60})
+		{
+			const btElasticPlasticCapacity independent = capacityOf(shape.m_section),
+										   whole = capacityOf(shape.m_section.withFibres(count));
+			EXPECT_FALSE(whole.fault()) << shape.m_name;
+			const bool isRound = shape.m_section.m_parts[0].m_radius > 0;
+			const int dofs[] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};
+			for (const int dof : dofs)
+			{
+				// Polygons of fibres bear moments that are right in the mean over all directions, with the deviation of the table.
+				expectClose(independent.m_yield[dof], whole.m_yield[dof],
+							isRound && dof != BT_EP_AXIAL ? 0.03 : byPrecision(1e-9, 1e-5));
+				expectClose(independent.m_stiffness[dof], whole.m_stiffness[dof], byPrecision(1e-9, 1e-5));
+			}
+			double first[2] = {}, mixed = 0;
+			for (int i = 0; i < whole.m_fibres.size(); ++i)
+			{
+				const btElasticPlasticFibre& fibre = whole.m_fibres[i];
+				EXPECT_GT(fibre.m_stiffness, 0) << shape.m_name;
+				first[0] += double(fibre.m_stiffness) * fibre.m_y;
+				first[1] += double(fibre.m_stiffness) * fibre.m_z;
+				mixed += double(fibre.m_stiffness) * fibre.m_y * fibre.m_z;
+			}
+			const double size = shape.m_section.m_outerFibre[0], scale = double(whole.m_stiffness[BT_EP_AXIAL]) * size;
+			EXPECT_NEAR(0, first[0] / scale, byPrecision(1e-12, 1e-6));
+			EXPECT_NEAR(0, first[1] / scale, byPrecision(1e-12, 1e-6));
+			EXPECT_NEAR(0, mixed / scale / size, byPrecision(1e-12, 1e-6));
+		}
+}
+
+/// The largest moment about z beside an axial force: fibres are stretched from one side on until they add up to it.
+double momentBeside(double axial, std::vector<Cell> cells)
+{
+	std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.y < b.y; });
+	double force = 0, moment = 0;
+	for (const Cell& cell : cells)
+	{
+		force -= cell.compression;
+		moment += cell.compression * cell.y;
+	}
+	for (const Cell& cell : cells)
+	{
+		const double range = cell.tension + cell.compression, share = std::min(1., (axial - force) / range);
+		force += share * range;
+		moment -= share * range * cell.y;
+		if (share < 1)
+			break;
+	}
+	return moment;
+}
+
+TEST(SectionFibres, KnowReinforcedConcrete)
+{
+	// 300 x 500 mm, f_c = 30 MPa, no tension, four bars of 20 mm and 500 MPa: by integration over the section.
+	btElasticPlasticMaterial concrete;
+	concrete.m_youngsModulus = btScalar(33e9);
+	concrete.m_yieldStress = btScalar(30e6);
+	concrete.m_tensileShare = 0;
+	btElasticPlasticSection section = btElasticPlasticSection::rectangle(btScalar(0.3), btScalar(0.5)).withFibres(36);
+	for (const double y : {0.21, -0.21})
+		for (const double z : {0.11, -0.11})
+			section.addBar(btScalar(y), btScalar(z), btScalar(314.16e-6),
+						   btElasticPlasticMaterial::steel(btScalar(500e6)));
+	const btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(concrete, section, 1, 1);
+	EXPECT_FALSE(capacity.fault());
+	EXPECT_EQ(40, capacity.m_fibres.size());
+	const double exact[][2] = {{500e3, 31.165e3},    {0, 139.147e3},       {-500e3, 243.058e3},
+							   {-1000e3, 326.392e3}, {-2250e3, 413.197e3}, {-3500e3, 326.392e3}};
+	for (const auto& point : exact)
+	{
+		const double m = momentBeside(point[0], cellsOf(capacity));
+		// 36 fibres are right within 1 % of what the section bears at most in each direction.
+		EXPECT_NEAR(point[1], m, 0.012 * 413e3) << point[0];
+	}
+}
+
+TEST(SectionFibres, TellWhatIsWrong)
+{
+	const btElasticPlasticSection section = btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.1));
+	EXPECT_STREQ("number of fibres", section.withFibres(3).m_fault.m_quantity);
+	EXPECT_STREQ("number of fibres", section.withFibres(401).m_fault.m_quantity);
+	EXPECT_TRUE(btElasticPlasticSection().withFibres().m_fault);
+	btElasticPlasticSection uncut = section, noArea = section.withFibres(), noPlace = section.withFibres();
+	uncut.addBar(0, 0, 1, steel());
+	EXPECT_STREQ("number of fibres of a section with bars", uncut.m_fault.m_quantity);
+	noArea.addBar(0, 0, 0, steel());
+	EXPECT_STREQ("area of a bar [m^2]", noArea.m_fault.m_quantity);
+	noPlace.addBar(btScalar(NAN), 0, 1, steel());
+	EXPECT_TRUE(noPlace.m_fault);
+	EXPECT_TRUE(capacityOf(noPlace).fault());
+	btElasticPlasticSection noMaterial = section.withFibres();
+	noMaterial.m_fibres[0].m_material = 1;
+	EXPECT_STREQ("material of a fibre of the section", capacityOf(noMaterial).fault().m_quantity);
+	btElasticPlasticCapacity capacity = capacityOf(section.withFibres());
+	capacity.m_fibres[2].m_tension = btScalar(-1);
+	EXPECT_STREQ("strength of a fibre in tension [N]", capacity.fault().m_quantity);
+	capacity = capacityOf(section.withFibres());
+	capacity.m_yield[BT_EP_AXIAL] = 0;
+	EXPECT_TRUE(capacity.fault());
+	capacity.set(BT_EP_AXIAL, 1, 1);
+	EXPECT_FALSE(capacity.hasFibres());
+	EXPECT_FALSE(capacity.fault());
+}
+}  // namespace
