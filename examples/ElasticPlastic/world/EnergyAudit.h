@@ -91,7 +91,8 @@ public:
 	/// After a step of dt. \return the energy [J]
 	double end(btScalar dt)
 	{
-		m_work += work(double(dt));
+		m_dt = double(dt);
+		m_work += work(m_dt);
 		double energy = m_world.kineticEnergy() - m_work;
 		double dissipated = 0;
 		for (const btElasticPlasticJoint* joint : m_world.joints())
@@ -121,7 +122,10 @@ private:
 	double heldHalfAStepAgo(const btElasticPlasticJoint& joint)
 	{
 		Held& before = m_heldBefore[&joint];
-		double energy = (joint.getPlasticEnergy() + before.m_plastic) / 2;
+		// The step may have been the last of several inner ones: then what has flowed in it is taken for an even share.
+		const double last = double(joint.getState().m_lastStep),
+					 steps = last > 0 ? std::max(1., std::round(m_dt / last)) : 1.;
+		double energy = joint.getPlasticEnergy() - (joint.getPlasticEnergy() - before.m_plastic) / (2 * steps);
 		before.m_plastic = joint.getPlasticEnergy();
 		// What was in the springs is lost with them.
 		if (joint.isBroken())
@@ -131,6 +135,8 @@ private:
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		{
 			const double force = double(joint.getForce(dof));
+			if (steps > 1)
+				before.m_force[dof] = force - double(joint.getState().m_forceRate[dof]) * last;
 			mean[dof] = (force + before.m_force[dof]) / 2;
 			before.m_force[dof] = force;
 			if (c.isElasticPlastic(dof) && !c.isRigidPlastic(dof))
@@ -148,6 +154,16 @@ private:
 		btVector3 m_force, m_torque, m_velocity, m_spin, m_place;  ///< velocities and place before the step
 	};
 
+	/// How a body has gone through the step: with its last velocity, unless the solver has taken inner steps.
+	btElasticPlasticInnerMotion motionOf(const btRigidBody& body, double dt) const
+	{
+		btElasticPlasticInnerMotion motion;
+		motion.m_way = body.getLinearVelocity() * btScalar(dt);
+		motion.m_turn = body.getAngularVelocity() * btScalar(dt);
+		m_world.action().getInnerMotion(body, motion);
+		return motion;
+	}
+
 	void countGain(double dt)
 	{
 		const double kinetic = m_world.kineticEnergy();
@@ -160,10 +176,10 @@ private:
 			const btRigidBody& body = *m_world.bodies()[i];
 			if (body.getInvMass() == 0 || !body.isActive())
 				continue;
-			const btVector3 moved = body.getLinearVelocity() * btScalar(dt), &place = body.getCenterOfMassPosition(),
-							lifted = place - m_loads[i].m_place - moved;
-			work +=
-				double(m_loads[i].m_force.dot(moved)) + double(m_loads[i].m_torque.dot(body.getAngularVelocity())) * dt;
+			const btElasticPlasticInnerMotion inner = motionOf(body, dt);
+			const btVector3 &place = body.getCenterOfMassPosition(), lifted = place - m_loads[i].m_place - inner.m_way;
+			work += double(m_loads[i].m_force.dot(inner.m_way)) + double(m_loads[i].m_torque.dot(inner.m_turn)) +
+					inner.m_shift;
 			if (lifted.length() > 4 * SIMD_EPSILON * place.length())
 				m_lift -= double(m_loads[i].m_force.dot(lifted));
 		}
@@ -277,6 +293,12 @@ private:
 			const Load& load = m_loads[i];
 			if (body.getInvMass() == 0 || !body.isActive())
 				continue;
+			btElasticPlasticInnerMotion inner;
+			if (m_world.action().getInnerMotion(body, inner))
+			{
+				sum += 2 / dt * (inner.m_work + inner.m_shift);
+				continue;
+			}
 			const double stays = std::pow(1 - double(body.getLinearDamping()), dt),
 						 spins = std::pow(1 - double(body.getAngularDamping()), dt);
 			sum += double(load.m_force.dot(load.m_velocity)) * stays +
@@ -293,6 +315,7 @@ private:
 	double m_energy = 0, m_balance = 0, m_most = 0, m_created = 0;
 	double m_given = 0, m_rounding = 0;                         // of joints
 	std::map<const btElasticPlasticJoint*, Held> m_heldBefore;  // after the last step
+	double m_dt = 0;                                            // of the step
 	double m_kinetic = 0, m_held = 0;                           // after the last step: of bodies, of joints
 	double m_gain = 0, m_bulletsRecovery = 0, m_lift = 0, m_turnover = 0;
 };

@@ -77,6 +77,14 @@ bool btElasticPlasticAction::setWakingShare(btScalar share)
 }
 btScalar btElasticPlasticAction::getWakingShare() const { return m_registry->getWakingShare(); }
 
+bool btElasticPlasticAction::getInnerMotion(const btRigidBody& body, btElasticPlasticInnerMotion& motion) const
+{
+	const btElasticPlastic::BodyMotion* const found = m_registry->findMotion(body);
+	if (found)
+		motion = found->m_inner;
+	return found != nullptr;
+}
+
 double btElasticPlasticAction::getTime() const { return m_registry->getTime(); }
 
 void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar timeStep)

@@ -7,6 +7,7 @@
 #include "BulletDynamics/Dynamics/btActionInterface.h"
 #include "btElasticPlasticDebugDraw.h"
 #include "btElasticPlasticEvent.h"
+#include "btElasticPlasticInnerMotion.h"
 #include "btElasticPlasticJoint.h"
 #include "btElasticPlasticPrecision.h"
 
@@ -93,6 +94,9 @@ public:
 
 	/// Sum of the substeps seen [s].
 	double getTime() const;
+
+	/// How a body has gone through the last substep. \return false, and nothing is written, if the solver has taken it as a whole
+	bool getInnerMotion(const btRigidBody& body, btElasticPlasticInnerMotion& motion) const;
 
 	void updateAction(btCollisionWorld* world, btScalar timeStep) override;
 

@@ -17,6 +17,12 @@ btElasticPlasticFault btElasticPlasticSolverSettings::fault() const
 		return btElasticPlasticFault("number of exact contacts", btScalar(m_maxExactContacts), "at least 0");
 	if (m_maxWork < 0)
 		return btElasticPlasticFault("work", btScalar(m_maxWork), "at least 0");
+	if (!btElasticPlasticIsNumber(m_innerError) || m_innerError < 0 || m_innerError > 1)
+		return btElasticPlasticFault("error of inner steps", btScalar(m_innerError), "0 to 1");
+	if (m_maxInnerSteps < 1 || m_maxInnerSteps > MAX_INNER_STEPS)
+		return btElasticPlasticFault("number of inner steps", btScalar(m_maxInnerSteps), "1 to 4096");
+	if (m_maxInnerWork <= 0)
+		return btElasticPlasticFault("work of inner steps", btScalar(m_maxInnerWork), "greater than 0");
 	if (m_maxContactLoops < 0)
 		return btElasticPlasticFault("number of rounds of contacts", btScalar(m_maxContactLoops), "at least 0");
 	if (m_maxIterations < 0)

@@ -67,6 +67,19 @@ struct btElasticPlasticSolverSettings
 	/// bits, as work is counted and not timed. At least one factorisation and one solution are done.
 	long long m_maxWork = 0;
 
+	// ---- inner steps: an island under a blow is taken through several short ones within a step of the world
+
+	/// The error allowed in how much flows in a step, 0 to 1, as btElasticPlasticStepControl has it: an island whose step leaves more
+	/// open is taken through inner steps. 0: none is. Collision detection and the rest of the world have one step.
+	double m_innerError = 0;
+
+	/// The most inner steps of a step, 1 to 4096, of which the largest power of two is taken. Where more were needed, the error is larger.
+	int m_maxInnerSteps = 64;
+
+	/// The most work for the inner steps of an island in a step, in the unit of btElasticPlasticStatistics::m_work, > 0: a large
+	/// island takes fewer or none. It is bounded by m_maxWork, too. The default is a quarter of a frame.
+	long long m_maxInnerWork = 4000000;
+
 	/// The factor that a large island kept from the last step is used as long as so few iterations of conjugate gradients with it
 	/// are enough, >= 0; 0: never.
 	int m_maxIterations = 8;
@@ -79,6 +92,7 @@ struct btElasticPlasticSolverSettings
 	int m_maxVectorWidth = 8;
 
 	static constexpr int MAX_THREADS = 64;
+	static constexpr int MAX_INNER_STEPS = 4096;
 
 	/// First setting that is out of its range.
 	btElasticPlasticFault fault() const;

@@ -26,6 +26,10 @@ struct btElasticPlasticStatistics
 	/// roughly. Set-up of rows and sweeps of contacts are not part of it.
 	long long m_work = 0;
 
+	/// Inner steps of islands that have taken more than one in a step of the world, those that were found too long and taken again
+	/// included. Each counts as an island above.
+	long long m_innerSteps = 0;
+
 	/// Islands, with the iterative form groups of them, of which no result was finite: it was not written, so their bodies have
 	/// kept their velocities, and their joints their state.
 	long long m_notFinite = 0;
@@ -54,6 +58,7 @@ struct btElasticPlasticStatistics
 		m_looseContacts += s.m_looseContacts;
 		m_fallbacks += s.m_fallbacks;
 		m_work += s.m_work;
+		m_innerSteps += s.m_innerSteps;
 		m_notFinite += s.m_notFinite;
 		m_setUpTime += s.m_setUpTime;
 		m_analysisTime += s.m_analysisTime;

@@ -180,7 +180,7 @@ void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlast
 	btAlignedObjectArray<btElasticPlasticJoint*> joints;
 	action.getJointsInWorld(world, joints);
 	w.markJoined(world, joints);
-	w.m_openWork.measure(world, joints, double(w.m_length), double(w.m_dt));
+	w.m_openWork.measure(world, joints, double(w.m_dt));
 	w.chooseLevel();
 }
 

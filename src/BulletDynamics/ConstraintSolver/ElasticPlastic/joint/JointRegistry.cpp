@@ -243,6 +243,7 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 	m_isCommitting = true;
 	m_joints.closeGaps();
 	m_broken.closeGaps();
+	applyMotions(world);
 	commitJoints(world);
 	removeBrokenFromWorld(world);
 	endSeparations();
@@ -266,6 +267,38 @@ bool JointRegistry::isStep(btScalar timeStep)
 	}
 	m_isStepTold = true;
 	return false;
+}
+
+void JointRegistry::take(const std::vector<BodyMotion>& motions)
+{
+	const std::lock_guard<std::mutex> lock(m_taking);
+	m_taken.insert(m_taken.end(), motions.begin(), motions.end());
+}
+
+void JointRegistry::forgetMotions()
+{
+	const std::lock_guard<std::mutex> lock(m_taking);
+	m_taken.clear();
+}
+
+void JointRegistry::applyMotions(btDynamicsWorld& world)
+{
+	if (m_taken.size() + m_motions.size() == 0)
+		return;
+	m_motions.swap(m_taken);
+	m_taken.clear();
+	m_motionOf.clear();
+	for (size_t i = 0; i < m_motions.size(); ++i)
+	{
+		m_motions[i].apply(world);
+		m_motionOf.insert(btHashPtr(m_motions[i].m_body), int(i));
+	}
+}
+
+const BodyMotion* JointRegistry::findMotion(const btRigidBody& body) const
+{
+	const int* const index = m_motions.size() > 0 ? m_motionOf.find(btHashPtr(&body)) : nullptr;
+	return index ? &m_motions[size_t(*index)] : nullptr;
 }
 
 namespace

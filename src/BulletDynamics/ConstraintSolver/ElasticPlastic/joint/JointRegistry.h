@@ -5,10 +5,13 @@
 #define BT_ELASTIC_PLASTIC_JOINT_REGISTRY_H
 
 #include <mutex>
+#include <vector>
 
 #include "../../btElasticPlasticEvent.h"
 #include "EventQueue.h"
 #include "GapList.h"
+#include "BodyMotion.h"
+#include "LinearMath/btHashMap.h"
 #include "WorldToken.h"
 
 class btDynamicsWorld;
@@ -92,7 +95,17 @@ public:
 
 	// ---- in each step
 
-	/// Ends a substep: commits every joint, takes broken ones out of the world, and tells of events.
+	/// Takes how bodies have gone through inner steps, for the end of the substep. Threads of a solver call it.
+	void take(const std::vector<BodyMotion>& motions);
+
+	/// Forgets what was taken for the end of a substep that has not come.
+	void forgetMotions();
+
+	/// How a body has gone through the last substep. \return null if it has not taken inner steps
+	const BodyMotion* findMotion(const btRigidBody& body) const;
+
+	/// Ends a substep: puts bodies that have gone through inner steps where these have ended, commits every joint, takes broken
+	/// ones out of the world, and tells of events.
 	void commit(btDynamicsWorld& world, btScalar timeStep);
 
 private:
@@ -127,6 +140,7 @@ private:
 	void updateDrawnFrames(btDynamicsWorld& world);
 	bool deliver();
 	bool isStep(btScalar timeStep);
+	void applyMotions(btDynamicsWorld& world);
 
 	List m_joints;  ///< those that hold
 	List m_broken;
@@ -134,6 +148,9 @@ private:
 		m_leftOut;  ///< those that hold, and were in the substep before, but not in this one
 	EventQueue m_events;
 	btAlignedObjectArray<btElasticPlasticListener*> m_listeners;
+	std::vector<BodyMotion> m_taken, m_motions;  ///< of the substep under way, of the last one
+	btHashMap<btHashPtr, int> m_motionOf;        ///< index of m_motions, by body
+	std::mutex m_taking;                         ///< held while m_taken grows
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;

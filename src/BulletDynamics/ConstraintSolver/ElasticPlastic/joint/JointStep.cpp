@@ -76,14 +76,11 @@ bool JointStep::evaluate(btScalar dt)
 		revert();
 		return false;
 	}
-	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
-	const btVector3 linear =
-		A.getVelocityInLocalPoint(m_kinematics.m_rA) - B.getVelocityInLocalPoint(m_kinematics.m_rB);
 	btScalar velocity[BT_EP_DOF_COUNT];
-	m_spin0 = A.getAngularVelocity() - B.getAngularVelocity();
+	projectVelocities(velocity);
+	m_spin0 = m_model.bodyA().getAngularVelocity() - m_model.bodyB().getAngularVelocity();
 	m_dampingImpulse.setZero();
 	m_hasRecovery = m_isCut = false;
-	project(linear, m_spin0, velocity);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		m_row[r].m_velocity0 = velocity[m_row[r].m_dof];
@@ -393,6 +390,13 @@ FibreStep::Outcome JointStep::commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]
 	for (int k = 0; k < 3; ++k)
 		mapped[numPlain + k] = {outcome.m_force[k], outcome.m_increment[k]};
 	return outcome;
+}
+
+void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
+{
+	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+	project(A.getVelocityInLocalPoint(m_kinematics.m_rA) - B.getVelocityInLocalPoint(m_kinematics.m_rB),
+			A.getAngularVelocity() - B.getAngularVelocity(), onAxes);
 }
 
 int JointStep::commit()

@@ -88,6 +88,11 @@ public:
 		BROKE = 2     ///< its ductility is spent
 	};
 
+	btScalar getImpulse(int r) const { return m_row[r].m_impulse; }
+
+	/// J v of all degrees of freedom at the bodies' present velocities, along the axes of the step.
+	void projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const;
+
 	/// Ends the step: return mapping, plastic increments, energies, damage. Does nothing if the joint was not in the step.
 	int commit();
 

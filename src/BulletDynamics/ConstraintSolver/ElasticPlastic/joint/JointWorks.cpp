@@ -306,11 +306,40 @@ void JointWorks::finishAlone(const double* impulses, const signed char* bounds)
 		constraint.setEnabled(false);
 }
 
+void JointWorks::commitInside()
+{
+	m_isCommittedInside = true;
+	m_outcome |= static_cast<unsigned char>(m_step.commit());
+}
+
+void JointWorks::rewind(const btElasticPlasticState& state)
+{
+	m_step.revert();
+	m_model.m_state = state;
+	m_isCommittedInside = false;
+	m_outcome = 0;
+}
+
+bool JointWorks::beginInside()
+{
+	const bool isAwaited = m_isCommittedInside;
+	m_isCommittedInside = false;
+	if (isAwaited && m_entry.m_registry)
+		m_entry.m_registry->forgetMotions();
+	return m_entry.m_registry && !isAwaited && m_step.getNumRows() == 0;
+}
+
 int JointWorks::commit()
 {
+	const int inside = m_outcome;
+	const bool isDone = m_isCommittedInside;
+	m_outcome = 0;
+	m_isCommittedInside = false;
+	if (isDone)
+		return inside;
 	if (m_step.getNumRows() > 0 && m_request == WHOLE_ROWS)
 		m_feedback.decode(m_model.m_constraint, m_step);
-	return m_step.commit();
+	return inside | m_step.commit();
 }
 
 bool JointWorks::mayHaveSupport() const { return m_model.m_dofs != 0 && LoadWatch::mayHaveSupport(m_model.m_state); }

@@ -27,6 +27,13 @@ struct RegistryEntry
 	UnreadEvents m_events;
 };
 
+/// In how many inner steps a joint's island has taken the last step. Islands join and part; their joints remember it.
+struct InnerRhythm
+{
+	unsigned char m_level = 0;  ///< 1 << m_level inner steps
+	unsigned char m_calm = 0;   ///< successive steps that have left little open
+};
+
 /// The implementation of btElasticPlasticJoint, together in memory: the model, its step, and their connection to Bullet and
 /// to the action.
 ///
@@ -83,6 +90,16 @@ public:
 	/// feedback, sets Bullet's applied impulse, and applies Bullet's breaking threshold.
 	/// \param impulses, bounds  of the step's rows, then of its fibres; a bound is -1, 0 or 1
 	void finishAlone(const double* impulses, const signed char* bounds);
+
+	/// Ends an inner step within the solver. The registry gets what has come of all of them by commit().
+	void commitInside();
+
+	/// Forgets the step under way, inner steps included. \param state  of the joint when the step began
+	void rewind(const btElasticPlasticState& state);
+
+	/// Begins a step that may have inner ones. What former ones have left for an action that has not come is forgotten.
+	/// \return false if no action ends the joint's steps: there is one that it has had a part in and that is not ended
+	bool beginInside();
 
 	// ---- for the registry
 
@@ -168,6 +185,7 @@ public:
 	RegistryEntry m_entry;
 	Separation m_separation;
 	Levels m_levels;
+	InnerRhythm m_rhythm;
 	int m_islandId =
 		0;  ///< the id by which the direct form finds the kept factor of the joint's island; 0: none; less: not to be used
 
@@ -195,6 +213,8 @@ private:
 	bool m_isLeftOut = false;           ///< of the present step
 	bool m_isOutOfIslands = false;
 	bool m_hasBeenInWorld = false;
+	bool m_isCommittedInside = false;  ///< whether the solver has ended the step itself
+	unsigned char m_outcome = 0;       ///< of its inner steps, JointStep::Outcome
 	StockFeedback m_feedback;
 };
 }  // namespace btElasticPlastic

@@ -104,16 +104,17 @@ bool isFree(const btSolverBody& body)
 }
 }  // namespace
 
-void DirectForm::begin(bool sweepsContacts)
+void DirectForm::begin(bool sweepsContacts, double share)
 {
 	m_sweepsContacts = sweepsContacts;
+	m_share = share;
 	m_input.clear();
 	m_joints.resize(0);
 	m_index.resize(0);
 	m_poolRows.resize(0);
 	m_solverBodies.resize(0);
 	m_byOthers.clear();
-	m_swept.clear();
+	m_swept.clear(btScalar(share));
 	m_recovery.begin();
 }
 
@@ -530,7 +531,7 @@ void DirectForm::addFriction(btConstraintArray& rows, bool isRolling, const Solv
 		row.m_friction = rows[i].m_friction;
 		row.m_normal = m_singleRowOf[contact];
 		// Bullet bounds rolling friction by its coefficient too.
-		row.m_frictionMax = isRolling ? double(rows[i].m_friction) : 0;
+		row.m_frictionMax = isRolling ? double(rows[i].m_friction) * m_share : 0;
 		if (isRolling)
 			continue;
 		// The last step's impulse in this direction: the first of a contact's rows, or the second.

@@ -28,8 +28,10 @@ public:
 
 	System& getSystem() { return m_system; }
 
-	/// Begins an island. \param sweepsContacts  whether contacts are swept around the joints
-	void begin(bool sweepsContacts);
+	/// Begins an island.
+	/// \param sweepsContacts  whether contacts are swept around the joints
+	/// \param share           of the world's step that is to be solved; Bullet bounds some impulses by the step
+	void begin(bool sweepsContacts, double share);
 
 	/// \param solverBodies  of the joint's bodies, indices of the pool
 	void addJoint(JointWorks& joint, const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
@@ -107,6 +109,7 @@ private:
 	};
 	btAlignedObjectArray<PoolRow> m_poolRows;
 	btAlignedObjectArray<int> m_singleRowOf;  ///< single row of each of Bullet's contacts, -1: it is swept
+	double m_share = 1;                       ///< of the world's step
 	// Where contacts are swept.
 	bool m_sweepsContacts = false;
 	SweptRows m_swept;

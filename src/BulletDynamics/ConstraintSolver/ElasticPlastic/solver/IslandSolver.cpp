@@ -70,11 +70,23 @@ void IslandSolver::setSettings(const btElasticPlasticSolverSettings& settings)
 void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
 						 btDispatcher* dispatcher)
 {
-	m_joints = island.m_joints;
+	m_island = island;
+	m_debugDrawer = debugDrawer;
+	m_dispatcher = dispatcher;
 	m_sweepsContacts = sweepsContacts(island);
 	giveWokenTheirWeight(island.m_bodies, island.m_numBodies);
-	solveGroup(island.m_bodies, island.m_numBodies, island.m_manifolds, island.m_numManifolds, island.m_constraints,
-			   island.m_numConstraints, info, debugDrawer, dispatcher);
+	if (m_settings.m_form == BT_EP_DIRECT)
+		m_inner.solve(island, info, m_settings, m_statistics, *this);
+	else
+		solveStep(info, 1, 0);
+}
+
+void IslandSolver::solveStep(const btContactSolverInfo& info, btScalar share, long long maxWork)
+{
+	m_share = share;
+	m_direct.getSystem().setMaxWork(maxWork);
+	solveGroup(m_island.m_bodies, m_island.m_numBodies, m_island.m_manifolds, m_island.m_numManifolds,
+			   m_island.m_constraints, m_island.m_numConstraints, info, m_debugDrawer, m_dispatcher);
 }
 
 bool IslandSolver::sweepsContacts(const SolverGroup& island) const
@@ -91,7 +103,7 @@ bool IslandSolver::sweepsContacts(const SolverGroup& island) const
 
 void IslandSolver::convertJoints(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
 {
-	m_direct.begin(m_sweepsContacts);
+	m_direct.begin(m_sweepsContacts, double(m_share));
 	m_iterative.begin();
 	if (m_settings.m_form == BT_EP_DIRECT)
 		convertForDirect(constraints, numConstraints, info);
@@ -109,9 +121,9 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 		const bool isLarge = numConstraints > MANY_JOINTS;
 		for (int i = 0; i < numConstraints; ++i)
 		{
-			if (isLarge && i + PREFETCH_AHEAD < numConstraints && m_joints[i + PREFETCH_AHEAD])
-				prefetch(*m_joints[i + PREFETCH_AHEAD]);
-			JointWorks* const joint = constraints[i]->isEnabled() ? m_joints[i] : nullptr;
+			if (isLarge && i + PREFETCH_AHEAD < numConstraints && m_island.m_joints[i + PREFETCH_AHEAD])
+				prefetch(*m_island.m_joints[i + PREFETCH_AHEAD]);
+			JointWorks* const joint = constraints[i]->isEnabled() ? m_island.m_joints[i] : nullptr;
 			if (joint && joint->beginAlone())
 				addToDirect(*joint, info);
 			else
@@ -143,8 +155,8 @@ void IslandSolver::convertForIterative(btTypedConstraint** constraints, int numC
 {
 	for (int i = 0; i < numConstraints; ++i)
 		// Bullet does not ask a disabled joint for rows.
-		if (m_joints[i] && constraints[i]->isEnabled())
-			m_joints[i]->requestJacobians();
+		if (m_island.m_joints[i] && constraints[i]->isEnabled())
+			m_island.m_joints[i]->requestJacobians();
 	btSequentialImpulseConstraintSolver::convertJoints(constraints, numConstraints, info);
 
 	int end = 0;
@@ -152,8 +164,9 @@ void IslandSolver::convertForIterative(btTypedConstraint** constraints, int numC
 	{
 		end += m_tmpConstraintSizesPool[i].m_numConstraintRows;
 		// The joint's own rows are the last of its constraint's.
-		if (m_joints[i] && constraints[i]->isEnabled())
-			m_iterative.addJoint(*m_joints[i], end - m_joints[i]->m_step.getNumRows(), pools(), info.m_erp);
+		if (m_island.m_joints[i] && constraints[i]->isEnabled())
+			m_iterative.addJoint(*m_island.m_joints[i], end - m_island.m_joints[i]->m_step.getNumRows(), pools(),
+								 info.m_erp);
 	}
 }
 

@@ -8,6 +8,7 @@
 #include "../../btElasticPlasticStatistics.h"
 #include "BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h"
 #include "DirectForm.h"
+#include "InnerSteps.h"
 #include "Islands.h"
 #include "IterativeForm.h"
 
@@ -15,7 +16,7 @@ namespace btElasticPlastic
 {
 /// Solves one island after another: Bullet's solver sets up bodies, contacts and other constraints and ends the step, one of the
 /// two forms solves in between. Different objects may be used by different threads at the same time.
-class IslandSolver : public btSequentialImpulseConstraintSolver
+class IslandSolver : public btSequentialImpulseConstraintSolver, private InnerSteps::Solution
 {
 public:
 	BT_DECLARE_ALIGNED_ALLOCATOR();
@@ -27,7 +28,8 @@ public:
 	/// Ages the plans and factors that are kept from step to step.
 	void beginStep() { m_direct.getSystem().beginStep(); }
 
-	/// Solves an island with elastic-plastic joints; with the iterative form it may be several.
+	/// Solves an island with elastic-plastic joints, in the direct form in as many inner steps as it needs; with the iterative form it
+	/// may be several islands.
 	void solve(const SolverGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
 			   btDispatcher* dispatcher);
 
@@ -46,6 +48,7 @@ protected:
 private:
 	SolverPools pools();
 	bool sweepsContacts(const SolverGroup& island) const;
+	void solveStep(const btContactSolverInfo& info, btScalar share, long long maxWork) override;
 	void convertForDirect(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 	void convertForIterative(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 	void addToDirect(JointWorks& joint, const btContactSolverInfo& info);
@@ -55,8 +58,12 @@ private:
 	btElasticPlasticStatistics m_statistics;
 	DirectForm m_direct;
 	IterativeForm m_iterative;
-	bool m_sweepsContacts = false;    ///< of the island at work
-	JointWorks** m_joints = nullptr;  ///< of the island at work, per constraint, null: not elastic-plastic
+	InnerSteps m_inner;
+	SolverGroup m_island;                   ///< at work
+	btIDebugDraw* m_debugDrawer = nullptr;  ///< of the caller
+	btDispatcher* m_dispatcher = nullptr;
+	btScalar m_share = 1;                               ///< of the world's step that is being solved
+	bool m_sweepsContacts = false;                      ///< of the island at work
 	btAlignedObjectArray<btTypedConstraint*> m_others;  ///< the island's constraints that have rows in Bullet's pool
 	btAlignedObjectArray<JointWorks*> m_otherJoints;  ///< the works of m_others, null where one is not elastic-plastic
 };

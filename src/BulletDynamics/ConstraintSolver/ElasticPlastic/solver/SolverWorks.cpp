@@ -5,6 +5,7 @@
 
 #include "BulletCollision/CollisionDispatch/btCollisionObject.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
@@ -94,6 +95,12 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 		group.m_joints = &m_joints[0];
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
 		return SolverGroup();
+	}
+	if (m_settings.m_innerError > 0 && dispatcher && info.m_timeStep > 0 && findJoints(given))
+	{
+		SolverGroup group = given;
+		group.m_joints = &m_joints[0];
+		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(group, m_settings), *dispatcher);
 	}
 	if (!split(given))
 		return given;

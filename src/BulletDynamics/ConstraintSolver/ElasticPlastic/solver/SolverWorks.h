@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "EarlyContacts.h"
 #include "IslandSolver.h"
 #include "Islands.h"
 #include "WorkerPool.h"
@@ -52,6 +53,7 @@ private:
 	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
 
 	btElasticPlasticSolverSettings m_settings;
+	EarlyContacts m_earlyContacts;
 	Islands m_islands;
 	btAlignedObjectArray<JointWorks*> m_joints;            ///< per constraint, null if it is not elastic-plastic
 	std::vector<std::unique_ptr<IslandSolver>> m_solvers;  ///< by worker, the calling thread's first

@@ -7,8 +7,9 @@
 
 namespace btElasticPlastic
 {
-void SweptRows::clear()
+void SweptRows::clear(btScalar share)
 {
+	m_share = share;
 	m_constraints.resize(0);
 	m_contacts.resize(0);
 	m_friction.resize(0);
@@ -92,7 +93,7 @@ void SweptRows::sweep(const SolverPools& pools, const RowSolvers& solvers) const
 				continue;
 			row.m_upperLimit = row.m_friction * normal;
 			if (isRolling)
-				btSetMin(row.m_upperLimit, row.m_friction);
+				btSetMin(row.m_upperLimit, row.m_friction * m_share);
 			row.m_lowerLimit = -row.m_upperLimit;
 			solvers.m_generic(bodies[row.m_solverBodyIdA], bodies[row.m_solverBodyIdB], row);
 		}

@@ -22,7 +22,8 @@ public:
 		btSingleConstraintRowSolver m_generic, m_lowerLimit;
 	};
 
-	void clear();
+	/// \param share  of the world's step that is to be solved
+	void clear(btScalar share);
 
 	// Rows of the pools, by index.
 
@@ -49,6 +50,7 @@ private:
 	template <class Visit>
 	void forAll(const SolverPools& pools, Visit visit) const;
 
+	btScalar m_share = 1;
 	btAlignedObjectArray<int> m_constraints, m_contacts, m_friction, m_rollingFriction;
 };
 }  // namespace btElasticPlastic

@@ -61,6 +61,9 @@ public:
 
 	void setSettings(const btElasticPlasticSolverSettings& settings);
 
+	/// The most work of the next solution, as btElasticPlasticSolverSettings::m_maxWork.
+	void setMaxWork(long long work) { m_settings.m_maxWork = work; }
+
 	/// Ages the plans and factors that are kept from step to step.
 	void beginStep();
 

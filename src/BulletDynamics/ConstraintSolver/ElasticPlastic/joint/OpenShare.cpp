@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "OpenShare.h"
+
+#include <math.h>
+
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+double OpenShare::getEnergy() const
+{
+	// Joints cannot dissipate the motion of an island as a whole if nothing holds it.
+	double carried = m_carried;
+	for (int k = 0; k < 3 && !m_isHeld; ++k)
+		carried += 0.5 * m_momentum[k] * m_momentum[k] / m_mass;
+	return btMax(m_energy - carried, m_openWork);
+}
+
+void OpenShare::addBody(const btRigidBody& body)
+{
+	const double mass = 1 / double(body.getInvMass());
+	const btVector3& v = body.getLinearVelocity();
+	const btVector3 spin = body.getAngularVelocity() * body.getCenterOfMassTransform().getBasis();
+	m_mass += mass;
+	for (int k = 0; k < 3; ++k)
+	{
+		m_momentum[k] += mass * double(v[k]);
+		m_energy += 0.5 * mass * double(v[k]) * double(v[k]);
+		if (body.getInvInertiaDiagLocal()[k] > 0)
+			m_energy += 0.5 * double(spin[k]) * double(spin[k]) / double(body.getInvInertiaDiagLocal()[k]);
+	}
+}
+
+/// An island that moves with its support has so much less kinetic energy that joints can dissipate. Of several supports the one
+/// counts that leaves the least.
+void OpenShare::addSupport(const btRigidBody& support, const btVector3& place)
+{
+	const btVector3 v = support.getVelocityInLocalPoint(place - support.getCenterOfMassPosition());
+	double carried = 0;
+	for (int k = 0; k < 3; ++k)
+		carried += double(v[k]) * (m_momentum[k] - 0.5 * m_mass * double(v[k]));
+	m_carried = m_isHeld ? btMax(m_carried, carried) : carried;
+	m_isHeld = true;
+}
+
+void OpenShare::addRow(const btElasticPlasticCapacity& capacity, const Row& row, double length, double ahead,
+					   double place)
+{
+	const int dof = row.m_dof;
+	const double yield = capacity.m_yield[dof], change = fabs(double(row.m_after - row.m_before));
+	// A rigid-plastic row that has not flowed leaves nothing open, and has no energy with which to compare the solver's rounding.
+	if (capacity.isRigidPlastic(dof) && row.m_path == 0)
+		return;
+	if (!capacity.isRigidPlastic(dof))
+	{
+		const double stiffness = capacity.m_stiffness[dof];
+		// The force that may be reached within a step: a row whose force stays below half of its yield value is not near yield.
+		// A coupled row is stiffer while its partner keeps still.
+		const double coupling = double(capacity.couplingCompliance(dof));
+		const double own =
+			coupling == 0
+				? stiffness
+				: 1 / (1 / stiffness - coupling * coupling * double(capacity.m_stiffness[capacity.coupledWith(dof)]));
+		const double reached =
+			fabs(double(row.m_force)) + own * ahead * (fabs(double(row.m_after)) + change * ahead / (2 * length));
+		if (row.m_path == 0 && reached < yield / 2)
+			return;
+		m_energy += 0.5 * yield * yield / stiffness;
+	}
+	m_energy += yield * fabs(double(row.m_plastic));
+	m_openWork += yield * length * change;
+	const double rounding = 4 * double(SIMD_EPSILON) * (dof < 3 ? place : 1.);
+	m_roundedWork += yield * btMin(length * change, rounding);
+}
+}  // namespace btElasticPlastic

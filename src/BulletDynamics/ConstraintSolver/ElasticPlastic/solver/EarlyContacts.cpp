@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "EarlyContacts.h"
+
+#include "../joint/BodyGate.h"
+#include "../joint/JointWorks.h"
+#include "BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h"
+#include "BulletCollision/BroadphaseCollision/btDispatcher.h"
+#include "BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h"
+#include "BulletCollision/CollisionDispatch/btManifoldResult.h"
+#include "BulletCollision/CollisionShapes/btConvexShape.h"
+#include "BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h"
+#include "BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "LinearMath/btTransformUtil.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// Pairs that come closer by less than this in a step are found by Bullet soon enough [m].
+const btScalar LEAST_WAY = btScalar(0.005);
+/// How far bodies are moved beyond where they meet, so that detectors that know penetration only find all of a face's points [m].
+const btScalar INTO = btScalar(0.003);
+/// The companion id of a body with an elastic-plastic joint, while contacts are found. Bullet does not use it between two solutions.
+const int JOINED = -2;
+
+/// Of one of the two bodies, in the coming step.
+struct Way
+{
+	btCollisionObject& m_object;
+	btTransform m_now, m_from, m_to;
+
+	Way(btCollisionObject& object, btScalar dt)
+		: m_object(object),
+		  m_now(object.getWorldTransform()),
+		  m_from(object.getWorldTransform()),
+		  m_to(object.getWorldTransform())
+	{
+		const btRigidBody* const body = btRigidBody::upcast(&object);
+		if (!body || !body->isActive() || body->isStaticObject())
+			return;
+		// A kinematic body is already where it goes.
+		const bool isKinematic = body->isKinematicObject();
+		const btVector3 change = isKinematic ? btVector3(0, 0, 0) : body->getTotalForce() * (body->getInvMass() * dt);
+		btTransformUtil::integrateTransform(m_now, body->getLinearVelocity() + change, body->getAngularVelocity(),
+											isKinematic ? -dt : dt, isKinematic ? m_from : m_to);
+	}
+
+	btVector3 getShift() const { return m_to.getOrigin() - m_from.getOrigin(); }
+
+	/// Not further than this does a point of the body go by its turn [m].
+	btScalar getTurnLength() const
+	{
+		btVector3 center;
+		btScalar radius;
+		m_object.getCollisionShape()->getBoundingSphere(center, radius);
+		return (radius + center.length()) * m_from.getRotation().angleShortestPath(m_to.getRotation());
+	}
+
+	/// Puts the body to a share of its way.
+	void go(btScalar share) const
+	{
+		m_object.setWorldTransform(btTransform(m_from.getRotation().slerp(m_to.getRotation(), share),
+											   m_from.getOrigin().lerp(m_to.getOrigin(), share)));
+	}
+	void goBack() const { m_object.setWorldTransform(m_now); }
+};
+
+/// The share of their ways at which two bodies meet; 1: they do not, 0: they touch already.
+btScalar shareAtMeeting(const Way ways[2])
+{
+	btVoronoiSimplexSolver simplex;
+	btGjkEpaPenetrationDepthSolver depth;
+	btContinuousConvexCollision cast(static_cast<const btConvexShape*>(ways[0].m_object.getCollisionShape()),
+									 static_cast<const btConvexShape*>(ways[1].m_object.getCollisionShape()), &simplex,
+									 &depth);
+	btConvexCast::CastResult result;
+	result.m_fraction = 1;
+	const bool meet = cast.calcTimeOfImpact(ways[0].m_from, ways[0].m_to, ways[1].m_from, ways[1].m_to, result);
+	return meet ? result.m_fraction : btScalar(1);
+}
+
+/// Puts points into a manifold whichever one the algorithm has made for itself.
+struct PointsInto : btManifoldResult
+{
+	btPersistentManifold& m_manifold;
+
+	PointsInto(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b, btPersistentManifold& manifold)
+		: btManifoldResult(&a, &b), m_manifold(manifold)
+	{
+	}
+	void addContactPoint(const btVector3& normal, const btVector3& point, btScalar depth) override
+	{
+		m_manifoldPtr = &m_manifold;
+		btManifoldResult::addContactPoint(normal, point, depth);
+	}
+};
+
+/// Has Bullet find the points of a pair where it is now.
+void detect(const Way ways[2], btPersistentManifold& manifold, btDispatcher& dispatcher)
+{
+	const btCollisionObject &a = ways[0].m_object, &b = ways[1].m_object;
+	const btCollisionObjectWrapper wrapA(nullptr, a.getCollisionShape(), &a, a.getWorldTransform(), -1, -1),
+		wrapB(nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
+	btCollisionAlgorithm* const algorithm =
+		dispatcher.findAlgorithm(&wrapA, &wrapB, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+	if (!algorithm)
+		return;
+	PointsInto result(wrapA, wrapB, manifold);
+	algorithm->processCollision(&wrapA, &wrapB, btDispatcherInfo(), &result);
+	algorithm->~btCollisionAlgorithm();
+	dispatcher.freeCollisionAlgorithm(algorithm);
+}
+
+bool isCandidate(const btPersistentManifold& manifold, bool takesBounces)
+{
+	const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+	return manifold.getNumContacts() == 0 && (a.getCompanionId() == JOINED || b.getCompanionId() == JOINED) &&
+		   a.getCollisionShape()->isConvex() && b.getCollisionShape()->isConvex() &&
+		   (takesBounces || a.getRestitution() * b.getRestitution() == 0);
+}
+
+void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& dispatcher)
+{
+	const Way ways[2] = {Way(const_cast<btCollisionObject&>(*manifold.getBody0()), dt),
+						 Way(const_cast<btCollisionObject&>(*manifold.getBody1()), dt)};
+	const btScalar length =
+		(ways[1].getShift() - ways[0].getShift()).length() + ways[0].getTurnLength() + ways[1].getTurnLength();
+	if (!(length > LEAST_WAY))
+		return;
+	const btScalar share = shareAtMeeting(ways);
+	if (!(share > 0 && share < 1))
+		return;
+	// Further where the bodies move along each other rather than into each other.
+	for (btScalar into = INTO / length; manifold.getNumContacts() == 0 && share + into < 1 + INTO / length; into *= 4)
+	{
+		for (const Way& way : ways)
+			way.go(share + into);
+		detect(ways, manifold, dispatcher);
+	}
+	for (const Way& way : ways)
+		way.goBack();
+	for (int i = 0; i < manifold.getNumContacts(); ++i)
+	{
+		btManifoldPoint& point = manifold.getContactPoint(i);
+		point.m_positionWorldOnA = ways[0].m_now(point.m_localPointA);
+		point.m_positionWorldOnB = ways[1].m_now(point.m_localPointB);
+		point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
+	}
+}
+}  // namespace
+
+void EarlyContacts::find(SolverGroup& group, btScalar dt, bool takesBounces, btDispatcher& dispatcher)
+{
+	const auto mark = [&](int id)
+	{
+		for (int i = 0; i < group.m_numConstraints; ++i)
+			if (group.m_joints[i])
+				for (btRigidBody* body :
+					 {&group.m_constraints[i]->getRigidBodyA(), &group.m_constraints[i]->getRigidBodyB()})
+					if (!body->isStaticOrKinematicObject())
+						body->setCompanionId(id);
+	};
+	mark(JOINED);
+	// Bullet's algorithms make manifolds for themselves, and the group's may be in the dispatcher's own array.
+	m_manifolds.assign(group.m_manifolds, group.m_manifolds + group.m_numManifolds);
+	group.m_manifolds = m_manifolds.data();
+	for (btPersistentManifold* manifold : m_manifolds)
+		if (isCandidate(*manifold, takesBounces))
+			findContact(*manifold, dt, dispatcher);
+	mark(-1);
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "InnerSteps.h"
+
+#include <math.h>
+
+#include "../joint/JointRegistry.h"
+#include "../joint/JointWorks.h"
+#include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// 1 << this many inner steps for an island on which something is about to bounce: it bounces when it touches, to an inner step.
+const int BOUNCE_LEVEL = 3;
+/// The number of successive steps that have to leave little open before inner steps become half as many.
+const int CALM_INNER_STEPS = 6;
+/// Below this share of the error allowed a step has left little open: it falls as the square of the step.
+const double CALM_INNER_SHARE = 1. / 8;
+/// Below this share of the error a step leaves next to nothing open, and the next one has half as many inner steps at once.
+const double NO_INNER_SHARE = 1. / 1000;
+/// The least work of a solution by joint, in the unit of btElasticPlasticStatistics::m_work: what no island of so many joints can do
+/// twice is not tried.
+const long long LEAST_WORK_A_JOINT = 500;
+
+int levelOf(int steps)
+{
+	int level = 0;
+	while (2 << level <= steps)
+		++level;
+	return level;
+}
+
+bool isTooLarge(const SolverGroup& group, const btElasticPlasticSolverSettings& settings)
+{
+	return 2 * LEAST_WORK_A_JOINT * group.m_numConstraints > settings.m_maxInnerWork;
+}
+
+/// Begins a step that may have inner ones. \return the joints' action, null if they do not have one in common that ends their steps
+JointRegistry* beginJoints(const SolverGroup& island)
+{
+	JointRegistry* registry = nullptr;
+	bool isOne = true;
+	for (int i = 0; i < island.m_numConstraints; ++i)
+	{
+		JointWorks* const joint = island.m_joints[i];
+		if (!joint)
+			continue;
+		const bool isEnded = joint->beginInside();
+		if (joint->m_model.m_fault)
+			continue;
+		registry = registry ? registry : joint->m_entry.m_registry;
+		isOne &= isEnded && joint->m_entry.m_registry == registry && !joint->m_model.m_isPaper;
+	}
+	return isOne ? registry : nullptr;
+}
+
+/// What the last solution has left open, before joints are committed.
+double measure(const SolverGroup& island, double length, double ahead)
+{
+	OpenShare open;
+	for (int i = 0; i < island.m_numConstraints; ++i)
+	{
+		const JointWorks* const works = island.m_joints[i];
+		if (!works || works->m_step.getNumRows() == 0)
+			continue;
+		const JointStep& step = works->m_step;
+		const btElasticPlasticState& state = works->m_model.m_state;
+		btScalar after[BT_EP_DOF_COUNT];
+		step.projectVelocities(after);
+		const double place = double(works->m_model.bodyA().getCenterOfMassPosition().length()) + 1;
+		for (int r = 0; r < step.getNumRows(); ++r)
+		{
+			const int dof = step.getDof(r);
+			open.addRow(works->m_model.m_capacity,
+						{dof, step.getRateBefore(r), -after[dof], step.getImpulse(r) / step.getTimeStep(),
+						 state.m_plastic[dof], state.m_plasticPath[dof]},
+						length, ahead, place);
+		}
+	}
+	if (!open.hasOpenWork())
+		return 0;
+	for (int i = 0; i < island.m_numBodies; ++i)
+	{
+		const btRigidBody* const body = btRigidBody::upcast(island.m_bodies[i]);
+		if (body && body->getInvMass() > 0 && body->isActive())
+			open.addBody(*body);
+	}
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+			for (const btRigidBody* body :
+				 {&island.m_constraints[i]->getRigidBodyA(), &island.m_constraints[i]->getRigidBodyB()})
+				if (body->isStaticOrKinematicObject())
+					open.addSupport(*body, island.m_joints[i]->m_step.getKinematics().m_rA +
+											   island.m_constraints[i]->getRigidBodyA().getCenterOfMassPosition());
+	return open.getMendableShare();
+}
+}  // namespace
+
+bool InnerSteps::mayBounce(const SolverGroup& group, const btElasticPlasticSolverSettings& settings)
+{
+	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL && !isTooLarge(group, settings);
+}
+
+void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& info,
+					   const btElasticPlasticSolverSettings& settings, btElasticPlasticStatistics& statistics,
+					   Solution& solution)
+{
+	Task task = {island, info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps)};
+	const bool mayTake =
+		settings.m_innerError > 0 && task.m_maxLevel > 0 && !isTooLarge(island, settings) && info.m_timeStep > 0;
+	JointRegistry* const registry = mayTake ? beginJoints(island) : nullptr;
+	if (!registry)
+	{
+		solution.solveStep(info, 1, settings.m_maxWork);
+		return;
+	}
+	m_motions.clear();
+	take(task, *registry);
+	if (m_motions.size() > 0)
+		registry->take(m_motions);
+}
+
+void InnerSteps::take(Task& task, const JointRegistry& registry)
+{
+	const SolverGroup& island = task.m_island;
+	m_state.begin(island, task.m_info.m_timeStep, registry);
+	int level = 0;
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+			btSetMax(level, int(island.m_joints[i]->m_rhythm.m_level));
+	if (m_state.hasBounceAhead(task.m_info.m_restitutionVelocityThreshold))
+		btSetMax(level, BOUNCE_LEVEL);
+	btSetMin(level, task.m_maxLevel);
+	for (;;)
+	{
+		const double share = level == 0 ? solveWhole(task) : solveInner(task, level);
+		const int next = refine(task, level, share);
+		if (next == level)
+		{
+			remember(island, level, share, task.m_settings.m_innerError);
+			return;
+		}
+		if (level == 0)
+			for (int i = 0; i < island.m_numConstraints; ++i)
+				if (island.m_joints[i])
+					island.m_joints[i]->m_step.revert();
+		m_state.restore();
+		level = next;
+	}
+}
+
+/// \return what the step has left open
+double InnerSteps::solveWhole(Task& task)
+{
+	++task.m_numSolutions;
+	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
+	const double dt = task.m_info.m_timeStep;
+	return measure(task.m_island, dt, dt);
+}
+
+/// \return the most that an inner step has left open. If that is too much the step has been left in the middle
+double InnerSteps::solveInner(Task& task, int level)
+{
+	const SolverGroup& island = task.m_island;
+	const int steps = 1 << level;
+	const btScalar dt = task.m_info.m_timeStep, share = 1 / btScalar(steps), h = dt * share,
+				   leastSpeed = task.m_info.m_restitutionVelocityThreshold;
+	btContactSolverInfo info = task.m_info;
+	info.m_timeStep = h;
+	info.m_erp *= share;
+	info.m_erp2 *= share;
+	m_state.saveJoints(island);
+	m_state.shiftFreeVelocities((dt - h) / 2);
+	m_impulses.scale(island, share);
+	double most = 0;
+	for (int k = 0; k < steps; ++k)
+	{
+		m_state.carry((k + 1) * h, h, leastSpeed);
+		++task.m_numSolutions;
+		++task.m_statistics.m_innerSteps;
+		const long long maxWork = task.m_settings.m_maxWork;
+		task.m_solution.solveStep(info, share, maxWork > 0 ? btMax((maxWork - task.getWork()) / (steps - k), 1ll) : 0);
+		most = btMax(most, measure(island, h, dt));
+		if (refine(task, level, most) > level)
+			break;
+		m_state.move(h);
+		for (int i = 0; i < island.m_numConstraints; ++i)
+			if (island.m_joints[i])
+				island.m_joints[i]->commitInside();
+		if (k + 1 == steps)
+		{
+			m_state.shiftFreeVelocities((h - dt) / 2);
+			m_state.finish(steps, m_motions);
+		}
+	}
+	m_impulses.restore();
+	return most;
+}
+
+/// The level of inner steps that what a step has left open asks for, as far as the settings let it have it.
+int InnerSteps::refine(Task& task, int level, double share) const
+{
+	const double error = task.m_settings.m_innerError;
+	if (!(share > error))
+		return level;
+	int wanted = level + btMax(1, int(ceil(0.5 * log2(share / error))));
+	long long most = task.m_settings.m_maxInnerWork;
+	if (task.m_settings.m_maxWork > 0)
+		most = btMin(most, task.m_settings.m_maxWork - task.getWork());
+	btSetMin(wanted, task.m_maxLevel);
+	while (wanted > level && (task.getWork() / task.m_numSolutions) << wanted > most)
+		--wanted;
+	return wanted;
+}
+
+/// An oscillation has moments at which a step leaves little open.
+void InnerSteps::remember(const SolverGroup& island, int level, double share, double error) const
+{
+	int calm = 255;
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+			btSetMin(calm, int(island.m_joints[i]->m_rhythm.m_calm));
+	calm = share > error * CALM_INNER_SHARE ? 0 : calm + 1;
+	if (level > 0 && (calm >= CALM_INNER_STEPS || share < error * NO_INNER_SHARE))
+	{
+		--level;
+		calm = 0;
+	}
+	const InnerRhythm rhythm = {static_cast<unsigned char>(level),
+								static_cast<unsigned char>(btMin(calm, CALM_INNER_STEPS))};
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+			island.m_joints[i]->m_rhythm = rhythm;
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_INNER_STEPS_H
+#define BT_ELASTIC_PLASTIC_INNER_STEPS_H
+
+#include "../../btElasticPlasticSolverSettings.h"
+#include "../../btElasticPlasticStatistics.h"
+#include "../joint/OpenShare.h"
+#include "IslandState.h"
+#include "StepImpulses.h"
+
+struct btContactSolverInfo;
+
+namespace btElasticPlastic
+{
+/// Takes an island under a blow through several short steps within one step of the world, without collision detection.
+///
+/// An island is solved for the whole step first. What that leaves open (OpenShare) tells whether it was too long; if so, the island
+/// goes back, and is taken through 2, 4, 8 ... inner steps, until none of them leaves more open than is allowed. Bodies' places,
+/// contact points, joints' states, forces and penetration are brought along from one to the next. Then the bodies are put back with
+/// their mean velocity for Bullet to move, and the joints' action puts them where the inner steps have ended (BodyMotion).
+///
+/// An island begins with as many inner steps as it had in the last step, and halves them when little has been left open for a while:
+/// each change of the step takes some energy out of an oscillation. One that needs none is solved as if there were none, to the bit.
+class InnerSteps
+{
+public:
+	/// Solves the island once.
+	class Solution
+	{
+	public:
+		/// \param share    of the world's step
+		/// \param maxWork  of this solution, as btElasticPlasticSolverSettings::m_maxWork
+		virtual void solveStep(const btContactSolverInfo& info, btScalar share, long long maxWork) = 0;
+
+	protected:
+		~Solution() {}
+	};
+
+	/// Whether inner steps are there for what bounces: without them it is to touch before it does.
+	static bool mayBounce(const SolverGroup& group, const btElasticPlasticSolverSettings& settings);
+
+	/// Solves an island for a step.
+	void solve(const SolverGroup& island, const btContactSolverInfo& info,
+			   const btElasticPlasticSolverSettings& settings, btElasticPlasticStatistics& statistics,
+			   Solution& solution);
+
+private:
+	/// Of the island and step at work.
+	struct Task
+	{
+		const SolverGroup& m_island;
+		const btContactSolverInfo& m_info;
+		const btElasticPlasticSolverSettings& m_settings;
+		btElasticPlasticStatistics& m_statistics;
+		Solution& m_solution;
+		long long m_workBefore;
+		int m_numSolutions;
+		int m_maxLevel;
+
+		long long getWork() const { return m_statistics.m_work - m_workBefore; }
+	};
+
+	void take(Task& task, const JointRegistry& registry);
+	double solveWhole(Task& task);
+	double solveInner(Task& task, int level);
+	int refine(Task& task, int level, double share) const;
+	void remember(const SolverGroup& island, int level, double share, double error) const;
+
+	IslandState m_state;
+	StepImpulses m_impulses;
+	std::vector<BodyMotion> m_motions;
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_INNER_STEPS_H

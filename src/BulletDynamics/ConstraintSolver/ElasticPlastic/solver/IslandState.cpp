@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "IslandState.h"
+
+#include "../joint/BodyGate.h"
+#include "../joint/JointRegistry.h"
+#include "../joint/JointWorks.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
+#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "LinearMath/btTransformUtil.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// What turns one orientation into another, by the shorter way, over time: a mean angular velocity.
+btVector3 meanSpin(const btTransform& from, const btTransform& to, btScalar dt)
+{
+	const btQuaternion turn = to.getRotation() * from.getRotation().inverse();
+	const btScalar sign = turn.w() < 0 ? btScalar(-1) : btScalar(1);
+	const btVector3 axis(turn.x(), turn.y(), turn.z());
+	const btScalar sine = axis.length(), angle = 2 * btAtan2(sine, sign * turn.w());
+	return axis * (sign * (sine > 0 ? angle / sine : btScalar(2)) / dt);
+}
+
+btScalar* impulsesOf(btManifoldPoint& point, btScalar* impulses)
+{
+	impulses[0] = point.m_appliedImpulse;
+	impulses[1] = point.m_appliedImpulseLateral1;
+	impulses[2] = point.m_appliedImpulseLateral2;
+	return impulses;
+}
+
+void setImpulses(btManifoldPoint& point, const btScalar* impulses, btScalar share)
+{
+	point.m_appliedImpulse = impulses[0] * share;
+	point.m_appliedImpulseLateral1 = impulses[1] * share;
+	point.m_appliedImpulseLateral2 = impulses[2] * share;
+}
+}  // namespace
+
+// ---- the beginning
+
+void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegistry& registry)
+{
+	m_dt = dt;
+	m_kinematic.resizeNoInitialize(0);
+	addBodies(island);
+	m_joints.resizeNoInitialize(0);
+	m_enabled.resize(0);
+	for (int i = 0; i < island.m_numConstraints; ++i)
+	{
+		btTypedConstraint& constraint = *island.m_constraints[i];
+		if (!constraint.isEnabled())
+			continue;
+		m_enabled.push_back(&constraint);
+		for (btRigidBody* body : {&constraint.getRigidBodyA(), &constraint.getRigidBodyB()})
+		{
+			addKinematic(*body);
+			const int index = body->isStaticOrKinematicObject() ? -1 : body->getCompanionId();
+			if (index >= 0 && index < m_bodies.size() && m_bodies[index].m_body == body)
+				m_bodies[index].m_isJoined = true;
+		}
+	}
+	addPoints(island);
+	findTouched();
+	// After inner steps contact points have the impulses of all of them, but the body may have left after the first.
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		m_bodies[i].m_body->setCompanionId(-1);
+		if (const BodyMotion* const last = registry.findMotion(*m_bodies[i].m_body))
+			m_isTouched[i] = last->m_isTouched;
+		m_bodies[i].m_wasTouched = m_isTouched[i];
+	}
+}
+
+void IslandState::saveJoints(const SolverGroup& island)
+{
+	if (m_joints.size() > 0)
+		return;
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+			m_joints.push_back({island.m_joints[i], island.m_joints[i]->m_model.m_state});
+}
+
+/// The index of a body here is kept in its companion id, which Bullet does not use between two solutions.
+void IslandState::addBodies(const SolverGroup& island)
+{
+	m_bodies.resizeNoInitialize(0);
+	for (int i = 0; i < island.m_numBodies; ++i)
+	{
+		btRigidBody* const body = btRigidBody::upcast(island.m_bodies[i]);
+		if (!body || body->getInvMass() == 0 || body->isStaticOrKinematicObject() || !body->isActive() ||
+			!isFinite(*body))
+			continue;
+		body->setCompanionId(m_bodies.size());
+		m_bodies.push_back({body, body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
+							btElasticPlasticInnerMotion(), body->getWorldTransform().getOrigin(),
+							body->getLinearVelocity(), body->getAngularVelocity(), false, false});
+	}
+}
+
+void IslandState::addPoints(const SolverGroup& island)
+{
+	m_points.resizeNoInitialize(0);
+	for (int m = 0; m < island.m_numManifolds; ++m)
+	{
+		btPersistentManifold& manifold = *island.m_manifolds[m];
+		const btCollisionObject* const objects[2] = {manifold.getBody0(), manifold.getBody1()};
+		int bodies[2];
+		for (int side = 0; side < 2; ++side)
+		{
+			if (btRigidBody* const body = btRigidBody::upcast(const_cast<btCollisionObject*>(objects[side])))
+				addKinematic(*body);
+			const int index = objects[side]->isStaticOrKinematicObject() ? -1 : objects[side]->getCompanionId();
+			const bool isHere = index >= 0 && index < m_bodies.size() && m_bodies[index].m_body == objects[side];
+			bodies[side] = isHere ? index : -1;
+		}
+		for (int i = 0; i < manifold.getNumContacts(); ++i)
+		{
+			btManifoldPoint& p = manifold.getContactPoint(i);
+			Point point = {&p,        {objects[0], objects[1]}, {bodies[0], bodies[1]}, p.m_distance1,
+						   {0, 0, 0}, p.m_positionWorldOnA,     p.m_positionWorldOnB,   {0, 0, 0}};
+			impulsesOf(p, point.m_impulse);
+			m_points.push_back(point);
+		}
+	}
+}
+
+void IslandState::addKinematic(btRigidBody& body)
+{
+	if (!body.isKinematicObject())
+		return;
+	for (int i = 0; i < m_kinematic.size(); ++i)
+		if (m_kinematic[i].m_body == &body)
+			return;
+	m_kinematic.push_back({&body, body.getWorldTransform()});
+}
+
+void IslandState::restore()
+{
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		Body& body = m_bodies[i];
+		body.m_body->setWorldTransform(body.m_start);
+		body.m_body->setLinearVelocity(body.m_linear);
+		body.m_body->setAngularVelocity(body.m_angular);
+		body.m_body->updateInertiaTensor();
+		body.m_inner = btElasticPlasticInnerMotion();
+	}
+	for (int i = 0; i < m_points.size(); ++i)
+	{
+		Point& point = m_points[i];
+		point.m_point->m_positionWorldOnA = point.m_onA;
+		point.m_point->m_positionWorldOnB = point.m_onB;
+		point.m_point->m_distance1 = point.m_distance;
+		setImpulses(*point.m_point, point.m_impulse, 1);
+		for (btScalar& sum : point.m_sum)
+			sum = 0;
+	}
+	for (int i = 0; i < m_joints.size(); ++i)
+		m_joints[i].m_works->rewind(m_joints[i].m_state);
+	// One that has reached Bullet's threshold was switched off.
+	for (int i = 0; i < m_enabled.size(); ++i)
+		m_enabled[i]->setEnabled(true);
+	releaseKinematicBodies();
+	for (int i = 0; i < m_bodies.size(); ++i)
+		m_isTouched[i] = m_bodies[i].m_wasTouched;
+}
+
+// ---- bodies that nothing holds
+
+void IslandState::findTouched()
+{
+	m_isTouched.resize(0);
+	m_isTouched.resize(m_bodies.size(), false);
+	for (int i = 0; i < m_points.size(); ++i)
+		for (const int body : m_points[i].m_bodies)
+			if (body >= 0 && m_points[i].m_point->m_appliedImpulse > 0)
+				m_isTouched[body] = true;
+}
+
+void IslandState::shiftFreeVelocities(btScalar later)
+{
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		Body& body = m_bodies[i];
+		if (body.m_isJoined || m_isTouched[i])
+			continue;
+		const btVector3 before = body.m_body->getLinearVelocity(),
+						change = body.m_body->getGravity() * body.m_body->getLinearFactor() * later;
+		body.m_body->setLinearVelocity(before + change);
+		body.m_inner.m_shift += double((before + change / 2).dot(change)) / double(body.m_body->getInvMass());
+	}
+}
+
+// ---- inner steps
+
+/// The speed at which the two bodies close at a point [m/s].
+btScalar IslandState::approachOf(const Point& point)
+{
+	btVector3 velocity[2];
+	const btVector3 places[2] = {point.m_point->m_positionWorldOnA, point.m_point->m_positionWorldOnB};
+	for (int side = 0; side < 2; ++side)
+	{
+		const btRigidBody* const body = btRigidBody::upcast(point.m_objects[side]);
+		velocity[side] = body ? body->getVelocityInLocalPoint(places[side] - body->getWorldTransform().getOrigin())
+							  : btVector3(0, 0, 0);
+	}
+	return (velocity[1] - velocity[0]).dot(point.m_point->m_normalWorldOnB);
+}
+
+bool IslandState::hasBounceAhead(btScalar leastSpeed) const
+{
+	for (int i = 0; i < m_points.size(); ++i)
+	{
+		const btManifoldPoint& point = *m_points[i].m_point;
+		if (!(point.m_combinedRestitution > 0) || !(point.m_distance1 > 0))
+			continue;
+		const btScalar approach = approachOf(m_points[i]);
+		if (approach > leastSpeed && point.m_distance1 < approach * m_dt)
+			return true;
+	}
+	return false;
+}
+
+void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
+{
+	for (int i = 0; i < m_kinematic.size(); ++i)
+	{
+		const Kinematic& kinematic = m_kinematic[i];
+		btTransform place;
+		btTransformUtil::integrateTransform(kinematic.m_end, kinematic.m_body->getLinearVelocity(),
+											kinematic.m_body->getAngularVelocity(), end - m_dt, place);
+		kinematic.m_body->setWorldTransform(place);
+	}
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		Body& body = m_bodies[i];
+		body.m_place = body.m_body->getWorldTransform().getOrigin();
+		body.m_velocity = body.m_body->getLinearVelocity();
+		body.m_spin = body.m_body->getAngularVelocity();
+	}
+	const bool isFirst = end <= h;
+	for (int i = 0; i < m_points.size(); ++i)
+	{
+		Point& point = m_points[i];
+		btManifoldPoint& p = *point.m_point;
+		if (isFirst)
+			setImpulses(p, point.m_impulse, h / m_dt);
+		else
+		{
+			p.m_positionWorldOnA = point.m_objects[0]->getWorldTransform()(p.m_localPointA);
+			p.m_positionWorldOnB = point.m_objects[1]->getWorldTransform()(p.m_localPointB);
+			p.m_distance1 = (p.m_positionWorldOnA - p.m_positionWorldOnB).dot(p.m_normalWorldOnB);
+		}
+		const btScalar approach = p.m_combinedRestitution > 0 && p.m_distance1 > 0 ? approachOf(point) : btScalar(0);
+		if (approach > leastSpeed)
+			btSetMax(p.m_distance1, 4 * approach * h + btScalar(0.01));
+	}
+}
+
+void IslandState::move(btScalar h)
+{
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		const Body& before = m_bodies[i];
+		btRigidBody& body = *before.m_body;
+		btElasticPlasticInnerMotion& inner = m_bodies[i].m_inner;
+		const btVector3 &v = body.getLinearVelocity(), &w = body.getAngularVelocity();
+		inner.m_pushed += body.getWorldTransform().getOrigin() - before.m_place;
+		inner.m_way += v * h;
+		inner.m_turn += w * h;
+		inner.m_work += 0.5 * double(h) *
+						(double(body.getTotalForce().dot(before.m_velocity + v)) +
+						 double(body.getTotalTorque().dot(before.m_spin + w)));
+		btTransform to;
+		body.predictIntegratedTransform(h, to);
+		body.setCenterOfMassTransform(to);
+	}
+	for (int i = 0; i < m_points.size(); ++i)
+	{
+		btScalar impulses[3];
+		impulsesOf(*m_points[i].m_point, impulses);
+		for (int k = 0; k < 3; ++k)
+			m_points[i].m_sum[k] += impulses[k];
+	}
+	findTouched();
+}
+
+// ---- the end
+
+void IslandState::finish(int steps, std::vector<BodyMotion>& motions)
+{
+	motions.clear();
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		const Body& from = m_bodies[i];
+		btRigidBody& body = *from.m_body;
+		BodyMotion motion;
+		motion.m_body = &body;
+		motion.m_index = body.getWorldArrayIndex();
+		motion.m_proxy = body.getBroadphaseHandle() ? body.getBroadphaseHandle()->getUid() : -1;
+		motion.m_end = body.getWorldTransform();
+		motion.m_linear = body.getLinearVelocity();
+		motion.m_angular = body.getAngularVelocity();
+		motion.m_meanLinear = (motion.m_end.getOrigin() - from.m_start.getOrigin()) / m_dt;
+		motion.m_meanAngular = meanSpin(from.m_start, motion.m_end, m_dt);
+		motion.m_inner = from.m_inner;
+		motion.m_inner.m_steps = steps;
+		motion.m_isTouched = m_isTouched[i];
+		body.setWorldTransform(from.m_start);
+		body.setLinearVelocity(motion.m_meanLinear);
+		body.setAngularVelocity(motion.m_meanAngular);
+		body.updateInertiaTensor();
+		body.predictIntegratedTransform(m_dt, motion.m_moved);
+		motions.push_back(motion);
+	}
+	for (int i = 0; i < m_points.size(); ++i)
+		setImpulses(*m_points[i].m_point, m_points[i].m_sum, 1);
+	releaseKinematicBodies();
+}
+
+void IslandState::releaseKinematicBodies()
+{
+	for (int i = 0; i < m_kinematic.size(); ++i)
+		m_kinematic[i].m_body->setWorldTransform(m_kinematic[i].m_end);
+}
+}  // namespace btElasticPlastic

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_ISLAND_STATE_H
+#define BT_ELASTIC_PLASTIC_ISLAND_STATE_H
+
+#include "../../btElasticPlasticState.h"
+#include "../joint/BodyMotion.h"
+#include "Islands.h"
+#include "LinearMath/btAlignedObjectArray.h"
+
+class btManifoldPoint;
+class btRigidBody;
+
+namespace btElasticPlastic
+{
+class JointRegistry;
+
+/// An island within a step: where its bodies, contact points and joints were when the step began, and how they are carried through
+/// inner steps.
+class IslandState
+{
+public:
+	/// Notes the beginning of a step of dt [s], of all but the joints' state, which evaluating a joint does not change.
+	/// \param registry  of the joints
+	void begin(const SolverGroup& island, btScalar dt, const JointRegistry& registry);
+
+	/// Notes the joints' state, too, before the first inner step changes it.
+	void saveJoints(const SolverGroup& island);
+
+	/// Goes back to the beginning.
+	void restore();
+
+	/// Has the velocities of bodies that nothing holds or touches belong to another time.
+	///
+	/// Bullet's velocities belong to a time half a step before that of its places. With shorter steps that time comes closer, and a
+	/// falling body gets the speed that gravity gives it in between; if it is free when the step ends, it gives it back.
+	/// \param later  [s]
+	void shiftFreeVelocities(btScalar later);
+
+	/// Whether something that is still apart at the beginning is to meet within the step at a speed at which it bounces.
+	bool hasBounceAhead(btScalar leastSpeed) const;
+
+	/// Before an inner step of h [s] is solved: contact points are where bodies have carried them. Normals stay as they were found.
+	/// What is to bounce does nothing until it touches: Bullet's row would bounce it off the gap, with what speed the gap leaves.
+	/// \param end         of the inner step, from the beginning [s]; kinematic bodies are put there
+	/// \param leastSpeed  at which bodies bounce [m/s]
+	void carry(btScalar end, btScalar h, btScalar leastSpeed);
+
+	/// After an inner step of h [s] has been solved: moves the bodies by their velocities.
+	void move(btScalar h);
+
+	/// Ends the step: bodies are where they were, with their mean velocity, and contact points have the sum of their impulses.
+	/// \param steps    how many inner steps it was
+	/// \param motions  gets how the bodies have moved
+	void finish(int steps, std::vector<BodyMotion>& motions);
+
+	/// Puts kinematic bodies back where the step has them end.
+	void releaseKinematicBodies();
+
+private:
+	struct Body
+	{
+		btRigidBody* m_body;
+		btTransform m_start;
+		btVector3 m_linear, m_angular;
+		btElasticPlasticInnerMotion m_inner;
+		btVector3 m_place, m_velocity, m_spin;  ///< when the inner step began
+		bool m_isJoined;                        ///< has constraints
+		bool m_wasTouched;                      ///< by a contact, when the step began
+	};
+	struct Kinematic
+	{
+		btRigidBody* m_body;
+		btTransform m_end;
+	};
+	struct Point
+	{
+		btManifoldPoint* m_point;
+		const btCollisionObject* m_objects[2];
+		int m_bodies[2];                    ///< of m_bodies, -1: none of them
+		btScalar m_distance, m_impulse[3];  ///< at the beginning; normal and lateral
+		btVector3 m_onA, m_onB;
+		btScalar m_sum[3];  ///< of impulses over the inner steps
+	};
+	struct Joint
+	{
+		JointWorks* m_works;
+		btElasticPlasticState m_state;
+	};
+
+	void addBodies(const SolverGroup& island);
+	void addPoints(const SolverGroup& island);
+	void addKinematic(btRigidBody& body);
+	void findTouched();
+	static btScalar approachOf(const Point& point);
+
+	btScalar m_dt = 0;
+	btAlignedObjectArray<Body> m_bodies;
+	btAlignedObjectArray<Kinematic> m_kinematic;
+	btAlignedObjectArray<Point> m_points;
+	btAlignedObjectArray<Joint> m_joints;
+	btAlignedObjectArray<btTypedConstraint*> m_enabled;  ///< constraints
+	btAlignedObjectArray<bool> m_isTouched;              ///< by body, in the last inner step
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_ISLAND_STATE_H

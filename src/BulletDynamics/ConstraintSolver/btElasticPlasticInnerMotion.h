@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_INNER_MOTION_H
+#define BT_ELASTIC_PLASTIC_INNER_MOTION_H
+
+#include "LinearMath/btVector3.h"
+
+/// How a body has gone through a substep that the solver has taken in several inner steps, see
+/// btElasticPlasticSolverSettings::m_innerError: what an account of its energy needs beside its velocities before and after.
+struct btElasticPlasticInnerMotion
+{
+	int m_steps = 1;                        ///< inner steps
+	btVector3 m_way = btVector3(0, 0, 0);   ///< on which its velocity has moved it [m]
+	btVector3 m_turn = btVector3(0, 0, 0);  ///< the same of its angular velocity, summed up [rad]
+	btVector3 m_pushed =
+		btVector3(0, 0, 0);  ///< on which the recovery of penetration has moved it beside its velocity [m]
+	double m_work = 0;       ///< of its loads, gravity included, by mean velocities [J]
+	/// What its kinetic energy has gained by a change of the time of its velocities [J]. Bullet's velocities belong to a time half a
+	/// step before that of its places; a body that falls into inner steps gets the speed that gravity gives it in between, and one that
+	/// is free afterwards gives it back.
+	double m_shift = 0;
+};
+
+#endif  // BT_ELASTIC_PLASTIC_INNER_MOTION_H
