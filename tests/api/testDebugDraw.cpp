@@ -97,6 +97,7 @@ TEST(DebugDraw, ColoursWithoutWireframes)
 	Row row(1);
 	Canvas canvas;
 	canvas.setDebugMode(btIDebugDraw::DBG_DrawConstraints | btIDebugDraw::DBG_DrawNormals);
+	row.run(1);
 	row.m_world.bullet().setDebugDrawer(&canvas);
 	row.m_world.bullet().debugDrawWorld();
 	// A cross of three, and a line to the block's centre; the two frames besides.
@@ -116,9 +117,12 @@ TEST(DebugDraw, SizeAndColoursAreTheUsers)
 	drawing.m_spent = 0;
 	ASSERT_TRUE(row.m_world.action().setDrawing(drawing));
 	Canvas canvas;
+	row.run(1);
 	row.m_world.action().debugDraw(&canvas);
 	ASSERT_EQ(4, canvas.m_lines);
-	EXPECT_EQ(btVector3(0, 0, 1), canvas.m_colours[0]);
+	const btElasticPlasticJoint& joint = *row.m_world.joints()[0];
+	EXPECT_EQ(btElasticPlasticColour(joint.getUtilisation(), joint.getDamage(), drawing), canvas.m_colours[0]);
+	EXPECT_EQ(btVector3(0, 0, 1), btElasticPlasticColour(0, 0, drawing));
 	EXPECT_NEAR(6, canvas.m_lengths[0], 1e-5);
 	EXPECT_EQ(btVector3(0, 0, btScalar(0.5)), btElasticPlasticColour(btScalar(0.25), 0, drawing));
 	EXPECT_EQ(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)),

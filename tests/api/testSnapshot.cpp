@@ -383,7 +383,7 @@ struct FibreBeam
 		std::vector<uint64_t> hashes;
 		for (int i = 0; i < steps; ++i)
 		{
-			ep::run(m_world, 1);
+			::run(m_world, 1);
 			hashes.push_back(hash(m_world));
 		}
 		return hashes;

@@ -88,7 +88,6 @@ public:
 		BROKE = 2     ///< its ductility is spent
 	};
 
-	btScalar getImpulse(int r) const { return m_row[r].m_impulse; }
 
 	/// J v of all degrees of freedom at the bodies' present velocities, along the axes of the step.
 	void projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const;

@@ -46,7 +46,7 @@ bool isPermutation(std::vector<int> numbers)
 	return true;
 }
 
-bool isFinite(const btElasticPlasticState& state)
+bool isStateFinite(const btElasticPlasticState& state)
 {
 	double sum = state.m_work + state.m_plasticEnergy + double(state.m_lastStep) + double(state.m_withheldStep) +
 				 double(state.m_plasticRotation.length2()) + double(state.m_plasticMiddle.length2());
@@ -281,7 +281,7 @@ btElasticPlasticFault Snapshot::findForeignJoint(const WorldImage& image) const
 		const JointModel& model = m_joints[number]->m_model;
 		if (joint.m_bodies[0] != rankOf(model.bodyA()) || joint.m_bodies[1] != rankOf(model.bodyB()))
 			return foreign("number of a joint between these bodies", joint.m_number);
-		if (!isFinite(joint.m_state) || joint.m_state.m_fibres.size() != joint.m_capacity.m_fibres.size() ||
+		if (!isStateFinite(joint.m_state) || joint.m_state.m_fibres.size() != joint.m_capacity.m_fibres.size() ||
 			(!hasBodies(*m_joints[number]) && joint.m_state.m_broken != model.m_state.m_broken))
 			return foreign("state of a joint with the number", joint.m_number);
 		// Broken ones come last.
