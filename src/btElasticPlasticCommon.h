@@ -12,6 +12,8 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticBonding.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConversion.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticSnapshot.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepper.h"
 
 #endif  // BT_ELASTIC_PLASTIC_COMMON_H

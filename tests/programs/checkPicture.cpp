@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// Is there a picture in the file, and something to see in it? Prints what it finds; fails if there is not.
+// Is there a picture in the file, and something to see in it, and of the vehicle at least so many per cent? Prints what it finds; fails if
+// there is not.
 
 #include <png.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <set>
 #include <vector>
 
 int main(int argc, char** argv)
 {
-	if (argc != 2)
-		return std::fprintf(stderr, "usage: checkPicture FILE\n"), 2;
+	if (argc != 3)
+		return std::fprintf(stderr, "usage: checkPicture FILE PERCENT\n"), 2;
 	png_image image = {};
 	image.version = PNG_IMAGE_VERSION;
 	if (!png_image_begin_read_from_file(&image, argv[1]))
@@ -33,6 +35,7 @@ int main(int argc, char** argv)
 	const double share = 3. * double(yellow) / double(pixels.size());
 	std::printf("%u x %u pixels, %zu colours, %.1f %% of it the vehicle's\n", image.width, image.height, colours.size(),
 				100 * share);
-	// Sky, grass and light make thousands of colours; the chase camera has the vehicle in view.
-	return image.width >= 640 && image.height >= 480 && colours.size() > 1000 && share > .005 ? 0 : 1;
+	// Sky, grass and light make thousands of colours.
+	return image.width >= 640 && image.height >= 480 && colours.size() > 1000 && 100 * share >= std::atof(argv[2]) ? 0
+																												   : 1;
 }

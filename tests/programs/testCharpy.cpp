@@ -165,7 +165,7 @@ TEST(Charpy, FrictionTakesItsShare)
 		// Rounded corners, 0.2 mm, are 1 % of the lever of the anvils' forces; over steps and places it scatters by 0.4 J.
 		const double exact = quasiStaticFriction(s);
 		EXPECT_NEAR(r.frictionWork, exact, 0.02 * exact + 0.4);
-		EXPECT_NEAR(r.plasticWork / s.passingPlasticWork(), 1, 0.02);  // as below
+		EXPECT_NEAR(r.plasticWork / s.passingPlasticWork(), 1, 0.01);  // as below
 	};
 	for (double friction : {0.02, 0.05, 0.1, 0.15, 0.2})
 	{
@@ -229,25 +229,24 @@ TEST(Charpy, TheHammerFallsAsAPendulum)
 
 TEST(Charpy, EnergyFollowsThePlasticMoment)
 {
-	// Rounded corners are good for 0.6 %, see above; the bend in which a substep ends, half of 0.0075 rad, for 0.2 %; recovery of
-	// penetration, which turns the hinge without work, for up to 1 %.
+	// Rounded corners are good for 0.6 %, see above; the bend in which a substep ends, half of 0.0075 rad, for 0.2 %.
 	for (double yield : {200e6, 300e6, 600e6, 800e6})
 	{
 		Settings s = with(Solver::Direct, 0);
 		s.yieldStress = yield;
-		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.02) << yield;
+		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << yield;
 	}
 	for (double notch : {1e-3, 3e-3, 5e-3})
 	{
 		Settings s = with(Solver::Direct, 0);
 		s.notch = notch;
-		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.02) << notch;
+		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << notch;
 	}
 	for (double width : {5e-3, 20e-3})
 	{
 		Settings s = with(Solver::Direct, 0);
 		s.width = width;
-		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.02) << width;
+		EXPECT_NEAR(run(s).plasticWork / s.passingPlasticWork(), 1, 0.01) << width;
 	}
 }
 
@@ -282,9 +281,9 @@ TEST(Charpy, BrittleSpecimensBreakAndTakeLess)
 	tough.maxRotation = 2.05;
 	EXPECT_FALSE(run(tough).broken);
 
-	// In the paper's geometry 1.9 rad are enough to pass, and less are not, but for what recovery turns without work.
+	// In the paper's geometry 1.9 rad are enough to pass, and less are not.
 	for (const JointKind& way : {kinds::Ep1, kinds::Ep2, kinds::PlasticHinge})
-		for (double rotation : {1.8, 1.92})
+		for (double rotation : {1.85, 1.92})
 		{
 			Settings s = with(Solver::Direct, 0);
 			s.geometry = Geometry::Paper;
@@ -351,8 +350,8 @@ TEST(Charpy, MorePiecesBendAtTheNotchToo)
 			EXPECT_EQ(Outcome::Passed, r.outcome);
 			EXPECT_FALSE(r.broken);
 			// All plastic work is at the notch. Up to 1 % more than of two: a shorter ligament, k = E I / l, springs back less.
-			EXPECT_NEAR(r.plasticWork, r.plasticMoment * r.hingeAngle, 0.01 * r.plasticWork);  // recovery turns without work
-			EXPECT_NEAR(r.plasticWork, r.plasticMoment * r.passingAngle, 0.015 * r.plasticWork);
+			EXPECT_NEAR(r.plasticWork, r.plasticMoment * r.hingeAngle, 0.005 * r.plasticWork);  // as of two, above
+			EXPECT_NEAR(r.plasticWork, r.plasticMoment * r.passingAngle, 0.01 * r.plasticWork);
 			// Bending waves in the blow and at the joints' edges take another 0.5 %.
 			EXPECT_GT(r.loss(), two.loss());
 			EXPECT_LT(r.loss(), 1.025 * two.loss());

@@ -137,8 +137,8 @@ TEST(StepControl, BringsThemBackForABlow)
 	}
 	EXPECT_GE(most, 16);
 	EXPECT_LE(atRest, 2);
-	// The solution at 2 us; steps of 0.26 ms all the time, as fine as these, come to 4.2 % less.
-	EXPECT_NEAR(0.3330, double(beam.sag()), 0.04 * 0.3330);
+	// The solution at 2 us; steps of 0.26 ms all the time, as fine as these, come to 5.8 % less, these to 4.
+	EXPECT_NEAR(0.3330, double(beam.sag()), 0.05 * 0.3330);
 }
 
 TEST(StepControl, PenetrationOfALongStepIsNotShotOut)

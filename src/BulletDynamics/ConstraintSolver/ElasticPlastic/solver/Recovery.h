@@ -19,10 +19,10 @@ namespace btElasticPlastic
 /// them. Joined bodies feel both: the first gives energy, the second strains joints, and a normal that points along a beam wedges its
 /// blocks apart with any force. Here velocities are found without recovery, which then moves places only:
 ///  - Of a loose body and a joined one only the loose one moves, contact after contact, as Bullet pushes them.
-///  - Where joined bodies have to move, the same system is solved again with recovery. The difference of the two solutions moves
-///    places. What recovery may push is bounded by some times the impulse that would part the two bodies by themselves, and fast
-///    recovery waits where a joint would begin to yield by it.
-/// The joints' references move along (JointStep::setRecovery): recovery loads no joint.
+///  - Where joined bodies have to move, the system is solved again with recovery, with joints as stiff as they can be and without
+///    bounds: bodies move as if they were one, and no hinge turns. The difference of the two solutions moves places. What recovery may
+///    push is bounded by some times the impulse that would part the two bodies by themselves.
+/// The joints' references follow what relative motion is left (JointStep::setRecovery): recovery loads no joint.
 class Recovery
 {
 public:
@@ -76,14 +76,15 @@ private:
 	};
 
 	void push(const SolverPools& pools, int sweeps);
+	void stiffen(SystemInput& input);
 	bool solveJoined(System& system, SystemInput& input, const std::vector<double>& push);
-	bool makesYield(const SystemInput& input) const;
 
 	bool m_isAsked = false;
 	std::vector<PushedContact> m_pushed;
 	std::vector<JoinedContact> m_joined;
 	std::vector<SystemInput::Bounded> m_rows;  // before the first solution
 	SystemResult m_first, m_second;
+	std::vector<double> m_share;   // of joints' compliance in the second solution, by row
 	std::vector<double> m_motion;  // by solver body, 6 doubles; empty: none
 };
 }  // namespace btElasticPlastic

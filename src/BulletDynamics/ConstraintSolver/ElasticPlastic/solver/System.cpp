@@ -94,7 +94,6 @@ void System::beginStep()
 	m_place->m_inside.beginStep();
 }
 
-/// To be called where H changes beside the rows' bounds.
 void System::forgetMatrix()
 {
 	m_matrixIsCurrent = false;

@@ -77,6 +77,9 @@ public:
 	/// \return as solve(); false, too, if the effort was PLAIN and it was given up: then the result means nothing
 	bool solveAgain(SystemInput& input, Effort effort);
 
+	/// To be called where H changes beside the rows' bounds: compliances, or a problem that has been solved in between.
+	void forgetMatrix();
+
 	/// Whether the last search was cut.
 	bool isCut() const { return m_isCut; }
 
@@ -128,7 +131,6 @@ private:
 	Work findWork(const SystemInput& input, const std::vector<double>& impulses);
 	void settle(const SystemInput& input, std::vector<double> impulses);
 	void evaluate(const SystemInput& input);
-	void forgetMatrix();
 	bool isSpent(long long nextWork = 1) const
 	{
 		return m_settings.m_maxWork > 0 && m_statistics.m_work + nextWork > m_workEnd;
