@@ -22,7 +22,7 @@ void playSound(const btVector3& place, double energy);
 	btElasticPlasticSolverSettings &settings, btElasticPlasticStepper &stepper,                                        \
 	btElasticPlastic6DofSpring2Constraint *joint, btRigidBody &a, btRigidBody &b, btScalar dt,                         \
 	btHingeConstraint &hinge, const btElasticPlasticCapacity &capacity, btIDebugDraw *drawer,                          \
-	btDispatcher &dispatcher, btBroadphaseInterface &broadphase, btCollisionConfiguration &configuration
+	btDispatcher &dispatcher, btDbvtBroadphase &broadphase, btCollisionConfiguration &configuration
 // clang-format on
 
 #endif  // EP_CONSUMERS_SNIPPETS_H
