@@ -228,4 +228,31 @@ TEST(JointStep, ChangingStepsDoNotLengthenWhatTurns)
 		EXPECT_FALSE(joint->hasYielded());
 	}
 }
+
+TEST(JointStep, ASearchThatIsCutLeavesNumbers)
+{
+	// The bodies get energy from its impulses, and no row is at a bound: nothing flows, and there is nothing to flow from.
+	for (const double impulse : {0., 1., -1.})
+	{
+		Pair pair(Solver::Direct, 12, 12);
+		btElasticPlasticJoint* joint = pair.join(evenCapacity(1e6, 1e4));
+		run(pair.m_world, 2, btScalar(1) / 60);
+		pair.m_a->setLinearVelocity(btVector3(btScalar(impulse), 0, 0));
+		pair.m_a->setInterpolationLinearVelocity(pair.m_a->getLinearVelocity());
+		btElasticPlastic::JointStep& step = btElasticPlastic::JointWorks::from(&joint->getConstraint())->m_step;
+		btElasticPlastic::JointRows rows;
+		ASSERT_EQ(6, step.prepare());
+		ASSERT_TRUE(step.begin(btScalar(1) / 60, btScalar(0.2), rows));
+		double impulses[BT_EP_DOF_COUNT];
+		for (double& i : impulses)
+			i = impulse;
+		const signed char bounds[BT_EP_DOF_COUNT] = {};
+		step.setSolution(impulses, bounds);
+		step.setCut();
+		EXPECT_EQ(0, step.commit());
+		EXPECT_EQ(0, joint->getPlasticEnergy());
+		EXPECT_FALSE(joint->hasYielded());
+		EXPECT_TRUE(joint->setState(joint->getState()));
+	}
+}
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include "JointStep.h"
 
+#include <math.h>
+
 #include "Diagonal.h"
 
 namespace btElasticPlastic
@@ -314,16 +316,17 @@ void JointStep::limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) c
 	{
 		const int i = m_row[r].m_dof;
 		const ReturnMapping& m = mapped[r];
-		flow += btFabs(double(m.m_force) * double(m.m_increment));
+		flow += fabs(double(m.m_force) * double(m.m_increment));
 		if (m_model.m_capacity.isRigidPlastic(i))
 			continue;
 		const btScalar elastic = outcomeOf(r).m_trial - m.m_increment - m.m_unloaded;
 		given -= 0.5 * (double(m.m_force) * double(elastic) -
 						double(m_model.m_state.m_force[i]) * double(m_model.elasticDeformation(i)));
 	}
-	if (!(flow > given))
+	const double most = fmax(given, 0);
+	if (!(flow > most))
 		return;
-	const btScalar share = btScalar(btMax(given, 0.) / flow);
+	const btScalar share = btScalar(most / flow);
 	for (int r = 0; r < m_numRows; ++r)
 	{
 		mapped[r].m_unloaded += (1 - share) * mapped[r].m_increment;
@@ -456,8 +459,8 @@ int JointStep::commit()
 		state.m_plasticPath[i] += btFabs(increment[i]);
 		if (r >= numPlain)
 			continue;
-		const double force = isCut ? btFabs(double(mapped.m_force)) : double(m_model.m_capacity.m_yield[i]);
-		state.m_plasticEnergy += force * btFabs(double(increment[i]));
+		const double force = isCut ? fabs(double(mapped.m_force)) : double(m_model.m_capacity.m_yield[i]);
+		state.m_plasticEnergy += force * fabs(double(increment[i]));
 		flowed = true;
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
