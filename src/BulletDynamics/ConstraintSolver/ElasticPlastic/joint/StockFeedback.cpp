@@ -40,7 +40,9 @@ void StockFeedback::separateRows(const btTypedConstraint::btConstraintInfo2& inf
 	m_dual.resize(2 * numRows);
 	for (int r = 0; r < numRows; ++r)
 	{
-		Direction orthonormal[BT_EP_DOF_COUNT], own = {};
+		// What has no part of its own is not told from Bullet's rows, and has no impulse.
+		const btVector3 zero(0, 0, 0);
+		Direction orthonormal[BT_EP_DOF_COUNT], own = {zero, zero};
 		int n = 0;
 		for (int j = 0; j <= count; ++j)
 		{
