@@ -206,22 +206,31 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
 		else
 			m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = m_state.m_withheld[i] = 0;
 	takeFibres(former);
-	if (!m_hasReference)
-		takeRoundingAsReference();
-	else
+	if (m_hasReference)
 	{
 		keepForce(former);
 		if (m_dofs & ~before)
 			takePoseAsReference(m_dofs & ~before);
 	}
+	else
+		takeRoundingAsReference();
 	m_hasReference = true;
+}
+
+/// \return false if the bodies are not at places that can be a reference. It then stays as it is; the joint is left out of steps, and
+/// its owner is told.
+bool JointModel::measureReference(Kinematics& kinematics) const
+{
+	measure(kinematics);
+	return kinematics.isUsable();
 }
 
 /// Makes the present pose the reference of degrees of freedom that were free until now: they hold where the bodies are.
 void JointModel::takePoseAsReference(unsigned dofs)
 {
 	Kinematics now;
-	measure(now);
+	if (!measureReference(now))
+		return;
 	btScalar away[BT_EP_DOF_COUNT] = {};
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (dofs >> i & 1u)
@@ -272,12 +281,14 @@ void JointModel::takeRoundingAsReference()
 void JointModel::setReferenceToCurrentPose()
 {
 	Kinematics now;
-	measure(now);
-	const RelativeRotation rotation = relativeRotation();
-	for (int i = 0; i < 3; ++i)
-		m_state.m_initial[i] += now.m_strain[i];
-	m_state.m_plasticRotation = rotation.m_relative;
-	m_state.m_plasticMiddle = rotation.m_middle;
+	if (measureReference(now))
+	{
+		const RelativeRotation rotation = relativeRotation();
+		for (int i = 0; i < 3; ++i)
+			m_state.m_initial[i] += now.m_strain[i];
+		m_state.m_plasticRotation = rotation.m_relative;
+		m_state.m_plasticMiddle = rotation.m_middle;
+	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = m_state.m_withheld[i] = 0;
 	m_state.m_fibres.resize(m_capacity.m_fibres.size());
@@ -376,7 +387,8 @@ double JointModel::elasticEnergy() const
 void JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
 {
 	Kinematics now;
-	measure(now);
+	if (!measureReference(now))
+		return;
 	const RelativeRotation rotation = relativeRotation();
 	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
 							now.m_strain[5] - increment[5]);

@@ -110,6 +110,7 @@ struct JointModel
 
 private:
 	RelativeRotation relativeRotation() const;
+	bool measureReference(Kinematics& kinematics) const;
 	bool pointsTowardsB(const Kinematics& k) const;
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);

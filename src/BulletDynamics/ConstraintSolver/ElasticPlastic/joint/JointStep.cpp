@@ -70,10 +70,7 @@ void JointStep::takeBackKinematicMotion()
 bool JointStep::evaluate(btScalar dt)
 {
 	m_model.measure(m_kinematics);
-	btScalar sum = 0;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		sum += m_kinematics.m_strain[i];
-	if (!btElasticPlasticIsFinite(sum) || !(dt > 0) || !btElasticPlasticIsFinite(dt))
+	if (!m_kinematics.isUsable() || !(dt > 0) || !btElasticPlasticIsFinite(dt))
 	{
 		revert();
 		return false;
@@ -402,6 +399,23 @@ void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 			A.getAngularVelocity() - B.getAngularVelocity(), onAxes);
 }
 
+/// Whether a joint can go on from what the step has left. One of Bullet's own solvers may have made nothing finite of it.
+/// \param work  taken from the bodies since the joint was new
+bool JointStep::isUsable(double work) const
+{
+	double sum = work;
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		if (!isDeformation(outcomeOf(r).m_trial))
+			return false;
+		const int dof = m_row[r].m_dof;
+		// The force at the end of the step, its rate, and the energy of its flow are not above these.
+		const double force = double(m_row[r].m_impulse / m_dt) + double(m_model.m_capacity.m_yield[dof]);
+		sum += double(btScalar(force / double(m_dt))) + (m_hasRecovery ? double(m_recovery[dof]) : 0);
+	}
+	return btElasticPlasticIsFinite(sum);
+}
+
 int JointStep::commit()
 {
 	m_numCommittedRows = m_numRows;
@@ -417,9 +431,10 @@ int JointStep::commit()
 	project(linear, wA - wB, velocity1);
 	btElasticPlasticState& state = m_model.m_state;
 	const double work = state.m_work - 0.5 * twiceWork(velocity1, wA - wB);
-	if (!btElasticPlasticIsFinite(work))
+	for (int r = 0, rows = m_numRows; r < rows; ++r)
+		m_row[r].m_velocity1 = velocity1[m_row[r].m_dof];
+	if (!isUsable(work))
 	{
-		// One of Bullet's own solvers may have made nothing finite of the step.
 		revert();
 		m_numCommittedRows = 0;
 		return NOTHING;
@@ -429,8 +444,6 @@ int JointStep::commit()
 	bool flowed = false;
 	const bool isCut = m_isCut && !m_model.m_isPaper;
 	ReturnMapping mappedRows[BT_EP_DOF_COUNT];
-	for (int r = 0, rows = m_numRows; r < rows; ++r)
-		m_row[r].m_velocity1 = velocity1[m_row[r].m_dof];
 	const int numPlain = getNumPlainRows();
 	for (int r = 0; r < numPlain; ++r)
 		mappedRows[r] = isCut ? mapCut(r) : returnMap(r);

@@ -88,7 +88,6 @@ public:
 		BROKE = 2     ///< its ductility is spent
 	};
 
-
 	/// J v of all degrees of freedom at the bodies' present velocities, along the axes of the step.
 	void projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const;
 
@@ -145,6 +144,7 @@ private:
 	void takeBackKinematicMotion();
 	int getNumPlainRows() const { return m_usesFibres ? m_numRows - 3 : m_numRows; }
 	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
+	bool isUsable(double work) const;
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
 	JointModel& m_model;

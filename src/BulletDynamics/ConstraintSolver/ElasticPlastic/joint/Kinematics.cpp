@@ -3,6 +3,8 @@
 
 #include "Kinematics.h"
 
+#include "../../btElasticPlasticFault.h"
+
 namespace btElasticPlastic
 {
 namespace
@@ -140,6 +142,19 @@ void Kinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB, co
 		m_strain[i] = d.dot(m_axis[i]) - plasticOffset[i];
 		m_strain[3 + i] = elastic[i];
 	}
+}
+
+bool isDeformation(btScalar strain)
+{
+	return btElasticPlasticIsFinite(strain) && btFabs(strain) < btScalar(BT_LARGE_FLOAT);
+}
+
+bool Kinematics::isUsable() const
+{
+	bool are = true;
+	for (const btScalar strain : m_strain)
+		are &= isDeformation(strain);
+	return are;
 }
 
 void Kinematics::bow(btScalar lengthY, btScalar lengthZ)

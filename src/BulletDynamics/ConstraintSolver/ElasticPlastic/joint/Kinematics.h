@@ -51,7 +51,13 @@ struct Kinematics
 	/// \param lengthY, lengthZ  l of the member where it bends about y and about z; 0: a hinge, which does not bow; negative where
 	///                          the x axis points from body B to body A [m]
 	void bow(btScalar lengthY, btScalar lengthZ);
+
+	/// Whether all of the strain is deformation, which it is not where a body's place is not finite.
+	bool isUsable() const;
 };
+
+/// Whether a number may be a deformation [m], [rad]: it is finite, and sums of many such ones are finite, too.
+bool isDeformation(btScalar strain);
 
 /// Rotation vector of a unit quaternion, |result| <= 2 pi, the sign of the quaternion is kept.
 btVector3 logarithm(const btQuaternion& q);

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// What a joint keeps is always a state that can be put back, whatever happens to its bodies.
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/JointWorks.h"
+#include "support/Pair.h"
+
+namespace
+{
+using namespace ep;
+
+const btScalar NOT_A_NUMBER = std::numeric_limits<btScalar>::quiet_NaN();
+
+btElasticPlasticCapacity fibres()
+{
+	btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromRod(
+		btElasticPlasticMaterial::steel(200e6), btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.1)), 1);
+	EXPECT_FALSE(capacity.fault());
+	return capacity;
+}
+
+struct Capacities : testing::TestWithParam<bool>
+{
+	btElasticPlasticCapacity capacity() const { return GetParam() ? fibres() : evenCapacity(1e6, 1e3); }
+};
+
+void expectUsable(btElasticPlasticJoint& joint, const char* when)
+{
+	EXPECT_TRUE(joint.setState(joint.getState())) << when;
+}
+
+TEST_P(Capacities, APlaceThatIsNoneIsNoReference)
+{
+	for (int how = 0; how < 4; ++how)
+	{
+		SCOPED_TRACE(how);
+		Pair pair(Solver::Direct);
+		btElasticPlasticJoint* joint = pair.join(capacity());
+		run(pair.m_world, 2, btScalar(1) / 60);
+		if (how == 2)
+			pair.m_world.action().breakJoint(pair.m_world.bullet(), joint);
+		const btTransform place = pair.m_b->getCenterOfMassTransform();
+		pair.m_b->setWorldTransform(at(NOT_A_NUMBER));
+		btElasticPlasticCapacity less = capacity();
+		less.scaleYield(btScalar(0.5));
+		switch (how)
+		{
+			case 0:
+				EXPECT_TRUE(joint->setCapacity(less));
+				break;
+			case 1:
+				joint->setReferenceToCurrentPose();
+				break;
+			case 2:
+				pair.m_world.action().repair(joint);
+				break;
+			default:
+				// It has been free so far.
+				less.m_yield[BT_EP_TORSION] = 0;
+				EXPECT_TRUE(joint->setCapacity(less));
+				EXPECT_TRUE(joint->setCapacity(capacity()));
+		}
+		expectUsable(*joint, "with a body that is nowhere");
+		pair.m_b->setWorldTransform(place);
+		run(pair.m_world, 2, btScalar(1) / 60);
+		expectUsable(*joint, "when it is back");
+		EXPECT_NEAR(1, double(pair.m_b->getCenterOfMassPosition().x()), 1e-3);
+	}
+}
+
+TEST_P(Capacities, NoSpeedAndNoStepSpoilsAState)
+{
+	const double most = double(std::numeric_limits<btScalar>::max());
+	for (Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+		for (const double speed : {1e10, 1e17, 1e25, most / 1e5, most})
+			for (const double dt : {1e-30, 1e-3, 1. / 60, 1.})
+			{
+				SCOPED_TRACE(testing::Message() << "solver " << int(solver) << ", " << speed << " m/s, " << dt << " s");
+				Pair pair(solver, 12, 12);
+				btElasticPlasticJoint* joint = pair.join(capacity());
+				run(pair.m_world, 1, btScalar(1) / 60);
+				for (int i = 0; i < 6; ++i)
+				{
+					btVector3 motion(0, 0, 0);
+					motion[i % 3] = btScalar(i % 2 == 0 ? speed : -speed);
+					pair.m_b->setLinearVelocity(motion);
+					pair.m_b->setAngularVelocity(i < 3 ? btVector3(0, 0, 0) : motion);
+					run(pair.m_world, 1, btScalar(dt));
+					expectUsable(*joint, "after a step");
+				}
+			}
+}
+
+INSTANTIATE_TEST_SUITE_P(Finite, Capacities, testing::Bool(),
+						 [](const testing::TestParamInfo<bool>& info) { return info.param ? "Fibres" : "Springs"; });
+}  // namespace
