@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "programs/SilentPanel.h"
 #include "view/Scene.h"
 
 using namespace ep;
@@ -70,17 +71,13 @@ TEST(Charpy, WindowsKeysChangeTheTest)
 namespace
 {
 /// A person who moves one slider and lets go, or presses a button.
-struct OneHand : Panel
+struct OneHand : SilentPanel
 {
 	std::string label, said;
 	double to = 0;
 
-	bool section(const char*, bool) override { return true; }
 	void text(const std::string& line) override { said += line + "\n"; }
 	bool button(const char* l) override { return l == label; }
-	void beside() override {}
-	bool check(const char*, bool&) override { return false; }
-	bool choice(const char*, size_t&, const std::vector<std::string>&) override { return false; }
 	bool slider(const char* l, double& value, double, double, const char*) override
 	{
 		if (l != label)
@@ -88,10 +85,7 @@ struct OneHand : Panel
 		value = to;
 		return true;
 	}
-	bool slider(const char*, int&, int, int) override { return false; }
-	void shares(const std::vector<Share>&, const char*) override {}
-	int table(const char*, const std::vector<std::string>&, const std::vector<Row>&, int) override { return -1; }
-	void plot(const char*, const std::vector<float>&, const char*) override {}
+	using SilentPanel::slider;
 };
 }  // namespace
 

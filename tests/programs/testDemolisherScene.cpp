@@ -56,7 +56,7 @@ public:
 			EXPECT_EQ(row.cells.size(), titles.size());
 		return touches("table") ? int(m_value) : -1;
 	}
-	void plot(const char*, const std::vector<float>& values, const char*) override { m_plotted = values.size(); }
+	void plot(const char*, const Curve& curve) override { m_plotted = curve.values.size(); }
 
 	int m_touched = 0;
 	size_t m_plotted = 0;
@@ -101,8 +101,13 @@ TEST(Demolisher, PanelChangesWhatItSays)
 	EXPECT_NEAR(double(settings().bridge.steelShare), .05, 1e-6);
 	touch(scene, "vehicle [t]", 20);
 	EXPECT_NEAR(1 / double(scene.demolisher().vehicle().chassis().getInvMass()), 20000, 1);
+	// Nothing begins anew for how it is solved.
+	const Demolisher* const before = &scene.demolisher();
 	touch(scene, "substeps", 2);
 	EXPECT_EQ(settings().substeps, 2);
+	touch(scene, "iterations", 70);
+	EXPECT_EQ(settings().method.iterations, 70);
+	EXPECT_EQ(before, &scene.demolisher());
 	touch(scene, "Reset all", 0);
 	EXPECT_EQ(settings().substeps, DemolisherSettings().substeps);
 	EXPECT_EQ(settings().bridge.steelShare, DemolisherSettings().bridge.steelShare);
@@ -129,7 +134,7 @@ TEST(Demolisher, JumpsToEachScene)
 		scene.jump(i);
 		EXPECT_EQ(scene.demolisher().vehicle().pose().getOrigin().x(),
 				  scene.demolisher().settings().startOf(scenes()[size_t(i)].value));
-		EXPECT_EQ(scene.centre().x(), scene.demolisher().settings().placeOf(scenes()[size_t(i)].value));
+		EXPECT_EQ(scene.bounds().centre().x(), scene.demolisher().settings().placeOf(scenes()[size_t(i)].value));
 	}
 }
 

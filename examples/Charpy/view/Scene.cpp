@@ -76,6 +76,15 @@ Drawing Scene::draw() const
 	return drawing;
 }
 
+/// Of the machine, with the hammer as it swings through.
+Bounds Scene::bounds() const
+{
+	Bounds bounds;
+	bounds.add(btVector3(-25, 0, -12));
+	bounds.add(btVector3(25, btScalar(DRAWN_LEVEL) + 12, 12));
+	return bounds;
+}
+
 std::vector<std::string> Scene::text() const
 {
 	const Settings& s = m_settings;

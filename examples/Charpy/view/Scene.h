@@ -22,8 +22,7 @@ public:
 	void step(const Controls& controls) override;
 	void restart() override;
 	Drawing draw() const override;
-	btVector3 centre() const override { return btVector3(0, btScalar(DRAWN_LEVEL), 0); }
-	btScalar extent() const override { return 110; }
+	Bounds bounds() const override;
 	std::vector<std::string> panels() const override { return {"The test"}; }
 	void panel(size_t number, Panel& panel) override;
 	void key(char key) override;

@@ -18,6 +18,11 @@
 
 namespace ep
 {
+namespace
+{
+const Margins WRECK_MARGINS = {.05f, .05f, .05f, .25f};  // of the picture, around what is left
+}
+
 void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name,
 				 const Camera& camera)
 {
@@ -48,15 +53,11 @@ DemolisherSummary runHeadless(const DemolisherSettings& settings, const Headless
 	scene.setAutopilot(true);
 	const Demolisher& demolisher = scene.demolisher();
 	RunLog log(demolisher);
-	const auto take = [&](const std::string& name, bool chase)
-	{
-		const float aspect = float(headless.width) / float(headless.height);
-		takePicture(
-			scene, headless, name,
-			chase ? chaseCamera(demolisher.vehicle().pose()) : sideCamera(scene.centre(), scene.extent(), aspect));
-	};
-	take("1-start", true);
-	// Each scene when the vehicle is there, then the one at the side of the last.
+	const float aspect = float(headless.width) / float(headless.height);
+	const auto take = [&](const std::string& name, const Camera& camera)
+	{ takePicture(scene, headless, name, camera); };
+	take("1-start", chaseCamera(demolisher.vehicle().pose()));
+	// Each scene when the vehicle is there.
 	const std::vector<Scene> way = settings.onTheWay();
 	size_t next = 0;
 	for (int i = 0; demolisher.time() + 1e-9 < headless.seconds && !demolisher.autopilot().hasArrived(); ++i)
@@ -67,12 +68,14 @@ DemolisherSummary runHeadless(const DemolisherSettings& settings, const Headless
 		log.step();
 		if (next < way.size() && demolisher.vehicle().pose().getOrigin().x() > settings.placeOf(way[next]))
 		{
-			scene.lookAt(way[next]);
-			take(std::to_string(next + 2) + "-" + nameOf(scenes(), way[next]), false);
+			take(std::to_string(next + 2) + "-" + nameOf(scenes(), way[next]),
+				 framingCamera(scene.bounds(), scene.sight(), aspect));
 			++next;
 		}
 	}
-	take(std::to_string(way.size() + 2) + "-end", true);
+	const Scene damaged = scene.mostDamaged();
+	take(std::to_string(way.size() + 2) + "-end",
+		 framingCamera(scene.wreckOf(damaged), DemolisherScene::sightOf(damaged), aspect, WRECK_MARGINS));
 
 	const DemolisherSummary summary = demolisher.summary();
 	tell(summary);
@@ -102,6 +105,10 @@ void runFigure11(const HeadlessSettings& headless)
 		if (!figure.reach(state, [&log] { log.step(); }))
 			throw std::runtime_error(std::string("the state of ") + Figure11::name(state) + " was not reached");
 		tell(demolisher.summary());
+		// What has fallen fills the picture.
+		if (state == Figure11::FALLEN)
+			camera = framingCamera(scene.wreckOf(Scene::Bridge), DemolisherScene::sightOf(Scene::Bridge),
+								   float(headless.width) / float(headless.height), WRECK_MARGINS);
 		takePicture(scene, headless, Figure11::name(state), camera);
 		const std::string name = std::string(Figure11::name(state)) + ".json";
 		std::printf("  summary %s\n", writeFile(headless.out, name, log.summary()).c_str());

@@ -86,6 +86,13 @@ void Demolisher::stepByAutopilot()
 	step(controls);
 }
 
+void Demolisher::setEffort(int substeps, int iterations)
+{
+	m_settings.substeps = substeps;
+	m_settings.method.iterations = iterations;
+	m_world.bullet().getSolverInfo().m_numIterations = iterations;
+}
+
 void Demolisher::jumpTo(Scene scene) { m_vehicle.place(at(m_settings.startOf(scene))); }
 
 DemolisherSummary Demolisher::summary() const

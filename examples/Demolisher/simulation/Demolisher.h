@@ -44,6 +44,9 @@ public:
 	/// Gives the autopilot another route from here.
 	void follow(const Route& route) { m_autopilot = Autopilot(route); }
 
+	/// What the next steps are solved with.
+	void setEffort(int substeps, int iterations);
+
 	/// Puts the vehicle at the start of a scene.
 	void jumpTo(Scene scene);
 

@@ -26,9 +26,12 @@ void addJoint(Drawing& drawing, const World& world, const btElasticPlasticJoint&
 		drawing.parts.push_back(boxPart(middle, size, jointColour(r.utilisation, r.damage), .6f));
 		return;
 	}
+	// On what moves: where a support held it, nothing is left to see.
 	const btVector3 half(size.x() / 2, size.y(), size.z());
-	drawing.parts.push_back(boxPart(a * at(-half.x() / 2), half, TORN, .4f));
-	drawing.parts.push_back(boxPart(b * at(half.x() / 2), half, TORN, .4f));
+	if (!joint.getConstraint().getRigidBodyA().isStaticObject())
+		drawing.parts.push_back(boxPart(a * at(-half.x() / 2), half, TORN, .4f));
+	if (!joint.getConstraint().getRigidBodyB().isStaticObject())
+		drawing.parts.push_back(boxPart(b * at(half.x() / 2), half, TORN, .4f));
 }
 }  // namespace
 

@@ -25,6 +25,8 @@ bool slider(Panel& panel, const char* label, btScalar& value, double unit, doubl
 	return changed;
 }
 
+double load(const JointReading& reading) { return reading.isThere && !reading.isBroken ? reading.utilisation : -1; }
+
 bool isAngular(int dof) { return dof >= BT_EP_TORSION; }
 }  // namespace
 
@@ -34,6 +36,7 @@ void DemolisherScene::panel(size_t number, Panel& panel)
 	{
 		jointTable(panel);
 		jointPlots(panel);
+		brokenTable(panel);
 		return;
 	}
 	dashboard(panel);
@@ -69,18 +72,22 @@ bool DemolisherScene::methodSettings(Panel& panel)
 {
 	DemolisherSettings& s = m_settings;
 	JointKind kind = s.method.kind();
+	panel.text("Without beginning anew:");
+	const bool changed = panel.slider("substeps", s.substeps, 1, 50);
+	if (panel.slider("iterations", s.method.iterations, 1, 1000) || changed)
+		m_demolisher->setEffort(s.substeps, s.method.iterations);
+	panel.text("A change begins anew:");
 	bool anew = choice(panel, "joints", kind, jointKinds());
 	s.method.joints = kind.joints;
 	s.method.jointClass = kind.jointClass;
 	anew = choice(panel, "solver", s.method.solver, solvers()) || anew;
-	anew = slider(panel, "step [ms]", s.step, 1e-3, 1, 50, "%.2f") || anew;
-	anew = panel.slider("substeps", s.substeps, 1, 50) || anew;
-	return panel.slider("iterations", s.method.iterations, 1, 1000) || anew;
+	return slider(panel, "step [ms]", s.step, 1e-3, 1, 50, "%.2f") || anew;
 }
 
 bool DemolisherScene::buildSettings(Panel& panel)
 {
 	DemolisherSettings& s = m_settings;
+	panel.text("A change begins anew:");
 	bool anew = slider(panel, "bridge steel [%]", s.bridge.steelShare, .01, .5, 10, "%.2f");
 	anew = slider(panel, "fence steel [%]", s.fence.steelShare, .01, .1, 10, "%.2f") || anew;
 	anew = slider(panel, "boom [mm]", s.gate.thickness, 1e-3, 30, 150, "%.0f") || anew;
@@ -107,12 +114,11 @@ void DemolisherScene::jointTable(Panel& panel)
 		order.push_back(readings.size());
 		readings.push_back(m_demolisher->joints().read(record));
 	}
-	// By damage where there is any, then by load.
+	// Those that bear most now; a broken one bears nothing.
 	std::stable_sort(order.begin(), order.end(),
-					 [&readings](size_t a, size_t b) {
-						 return readings[a].damage + .1 * readings[a].utilisation >
-								readings[b].damage + .1 * readings[b].utilisation;
-					 });
+					 [&readings](size_t a, size_t b) { return load(readings[a]) > load(readings[b]); });
+	while (!order.empty() && load(readings[order.back()]) < 0)
+		order.pop_back();
 	order.resize(std::min(order.size(), MOST_USED));
 	std::vector<Panel::Row> rows;
 	int selected = -1;
@@ -121,12 +127,11 @@ void DemolisherScene::jointTable(Panel& panel)
 		const JointReading& r = readings[i];
 		if (i == m_history.joint())
 			selected = int(rows.size());
-		rows.push_back({r.isBroken ? TORN : jointColour(r.utilisation, 0),
+		rows.push_back({jointColour(r.utilisation, 0),
 						{records[i].joint->getName(), format("%.0f %%", 100 * r.utilisation),
-						 btElasticPlasticDofName(r.limitingDof), format("%.0f %%", 100 * r.damage),
-						 nameOf(jointStates(), records[i].state(r))}});
+						 btElasticPlasticDofName(r.limitingDof), format("%.0f %%", 100 * r.damage)}});
 	}
-	const int clicked = panel.table("joints", {"joint", "load", "limited by", "worn", "state"}, rows, selected);
+	const int clicked = panel.table("joints", {"joint", "load", "by", "worn"}, rows, selected);
 	if (clicked >= 0)
 		m_history.follow(order[size_t(clicked)], readings[order[size_t(clicked)]].limitingDof);
 }
@@ -144,9 +149,29 @@ void DemolisherScene::jointPlots(Panel& panel)
 	if (panel.choice("direction", dof, names))
 		m_history.follow(m_history.joint(), int(dof));
 	const bool angular = isAngular(m_history.dof());
-	panel.plot(angular ? "moment" : "force", m_history.force(), angular ? "kN m" : "kN");
-	panel.plot("deformation", m_history.deformation(), angular ? "mrad" : "mm");
-	panel.plot("energy", m_history.energy(), "kJ");
+	const double step = double(m_settings.step),
+				 yield = double(record.joint->getCapacity().m_yield[m_history.dof()]) / 1000;
+	panel.plot(angular ? "moment" : "force", {m_history.force(), step, angular ? "kN m" : "kN", yield});
+	panel.plot("deformation", {m_history.deformation(), step, angular ? "mrad" : "mm"});
+	panel.plot("energy", {m_history.energy(), step, "kJ"});
+}
+
+/// The last ones first.
+void DemolisherScene::brokenTable(Panel& panel)
+{
+	std::vector<JointRecord> broken;
+	for (const JointRecord& record : m_demolisher->joints().records())
+		if (record.breakTime >= 0)
+			broken.push_back(record);
+	if (broken.empty() || !panel.section("Broken", true))
+		return;
+	std::stable_sort(broken.begin(), broken.end(),
+					 [](const JointRecord& a, const JointRecord& b) { return a.breakTime > b.breakTime; });
+	broken.resize(std::min(broken.size(), MOST_USED));
+	std::vector<Panel::Row> rows;
+	for (const JointRecord& record : broken)
+		rows.push_back({TORN, {record.joint->getName(), format("%.2f s", record.breakTime)}});
+	panel.table("broken", {"joint", "at"}, rows, -1);
 }
 
 void DemolisherScene::view(Panel& panel)

@@ -3,6 +3,7 @@
 
 #include "view/DemolisherScene.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "text/Format.h"
@@ -30,11 +31,11 @@ void DemolisherScene::step(const Controls& controls)
 void DemolisherScene::restart()
 {
 	m_demolisher.reset(new Demolisher(m_settings));
+	for (Scene scene : m_settings.onTheWay())
+		m_built[size_t(scene)] = wreckOf(scene);
 	m_history.clear();
 	if (m_history.joint() == 0 && m_demolisher->bridge())
 		m_history.follow(m_demolisher->joints().numberOf(*m_demolisher->bridge()->joints().front()), BT_EP_BENDING_Z);
-	if (!m_settings.has(m_looksAt))
-		m_looksAt = m_settings.onTheWay().front();
 }
 
 void DemolisherScene::jump(int number)
@@ -43,7 +44,6 @@ void DemolisherScene::jump(int number)
 	if (!m_settings.has(scene))
 		return;
 	m_demolisher->jumpTo(scene);
-	m_looksAt = scene;
 	m_autopilot = false;
 }
 
@@ -93,14 +93,73 @@ Drawing DemolisherScene::draw() const
 	return drawing;
 }
 
-btVector3 DemolisherScene::centre() const
+Scene DemolisherScene::ahead() const
 {
-	const btScalar x = m_settings.placeOf(m_looksAt);
-	return btVector3(x, m_looksAt == Scene::Bridge ? m_settings.bridge.height * btScalar(.8) : btScalar(1.5), 0);
+	const std::vector<Scene> way = m_settings.onTheWay();
+	for (Scene scene : way)
+	{
+		const btScalar length = scene == Scene::Bridge ? m_settings.rampFoot() : btScalar(8);
+		if (m_demolisher->vehicle().pose().getOrigin().x() < m_settings.placeOf(scene) + length)
+			return scene;
+	}
+	return way.back();
 }
 
-btScalar DemolisherScene::extent() const
+Bounds DemolisherScene::bounds() const
 {
-	return m_looksAt == Scene::Bridge ? m_settings.bridge.span + 2 * m_settings.bridge.supportLength + 4 : btScalar(14);
+	const Scene scene = ahead();
+	const btScalar x = m_settings.placeOf(scene), vehicle = btScalar(3.6);
+	Bounds bounds = m_built[size_t(scene)];
+	if (scene == Scene::Bridge)
+	{
+		const BridgeSettings& s = m_settings.bridge;
+		const btVector3 half(s.span / 2 + s.supportLength, s.height, s.width / 2);
+		bounds.add(btVector3(x, s.height, 0) - half);
+		bounds.add(btVector3(x, vehicle, 0) + half);
+		return bounds;
+	}
+	bounds.add(btVector3(x - 6, 0, -4));
+	bounds.add(btVector3(x + 6, vehicle, 4));
+	return bounds;
+}
+
+Bounds DemolisherScene::wreckOf(Scene scene) const
+{
+	const btScalar far = 20;
+	const btVector3 place(m_settings.placeOf(scene), 0, 0);
+	Bounds bounds;
+	const auto add = [&](const btRigidBody& body)
+	{
+		Bounds own;
+		body.getAabb(own.low, own.high);
+		if ((own.centre() - place).length() < far)
+			bounds.add(own);
+	};
+	const Structure& structure = *m_demolisher->structure(scene);
+	for (const btRigidBody* box : structure.boxes())
+		add(*box);
+	for (const Beam& beam : structure.beams())
+		for (const btRigidBody* part : beam.m_parts)
+			add(*part);
+	bounds.low.setMin(place);
+	bounds.high.setMax(place);
+	return bounds;
+}
+
+Scene DemolisherScene::mostDamaged() const
+{
+	double energies[4] = {};
+	for (const JointRecord& record : m_demolisher->joints().records())
+		energies[size_t(record.scene)] += m_demolisher->joints().read(record).plasticEnergy;
+	const std::vector<Scene> way = m_settings.onTheWay();
+	return *std::max_element(way.begin(), way.end(),
+							 [&](Scene a, Scene b) { return energies[size_t(a)] < energies[size_t(b)]; });
+}
+
+btVector3 DemolisherScene::sightOf(Scene scene)
+{
+	// From ahead of the vehicle, which would hide what it strikes; the bridge from beside it.
+	return scene == Scene::Bridge ? btVector3(btScalar(.2), btScalar(-.16), -1)
+								  : btVector3(btScalar(-.75), btScalar(-.45), -1);
 }
 }  // namespace ep

@@ -23,8 +23,13 @@ public:
 	const Demolisher& demolisher() const { return *m_demolisher; }
 	void setAutopilot(bool on) { m_autopilot = on; }
 
-	/// Where a camera at the side looks.
-	void lookAt(Scene scene) { m_looksAt = scene; }
+	/// What is left of a structure where it was built.
+	Bounds wreckOf(Scene scene) const;
+	/// The one that has taken up most energy.
+	Scene mostDamaged() const;
+	/// From where a structure and what strikes it are seen well.
+	static btVector3 sightOf(Scene scene);
+
 	void setStyle(const PartStyle& style) { m_style = style; }
 
 	std::string title() const override { return "Demolisher"; }
@@ -32,8 +37,9 @@ public:
 	void step(const Controls& controls) override;
 	void restart() override;
 	Drawing draw() const override;
-	btVector3 centre() const override;
-	btScalar extent() const override;
+	/// The structure that the vehicle is at or comes to, as it was built, with room for the blow.
+	Bounds bounds() const override;
+	btVector3 sight() const override { return sightOf(ahead()); }
 	bool isDriven() const override { return true; }
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
@@ -42,9 +48,11 @@ public:
 	void panel(size_t number, Panel& panel) override;
 
 private:
+	Scene ahead() const;
 	void dashboard(Panel& panel);
 	void jointTable(Panel& panel);
 	void jointPlots(Panel& panel);
+	void brokenTable(Panel& panel);
 	/// \return whether the scene has to be built anew
 	bool methodSettings(Panel& panel);
 	bool buildSettings(Panel& panel);
@@ -54,7 +62,7 @@ private:
 	DemolisherSettings m_settings;
 	std::unique_ptr<Demolisher> m_demolisher;
 	bool m_autopilot = false;
-	Scene m_looksAt = Scene::Bridge;
+	Bounds m_built[4];  ///< structures before anything has struck them, by scene
 	PartStyle m_style;
 	JointHistory m_history;  ///< of the joint that a person has chosen
 };

@@ -46,6 +46,7 @@ void addWindowOptions(CLI::App& app, WindowOptions& o)
 	app.add_option("--text-size", o.textSize, "Height of the window's text [pixels], 0: by the screen's resolution")
 		->capture_default_str()
 		->check(optionRange(0, 100));
+	app.add_flag("--film-panel", o.filmPanel, "A film made by --record shows the panels");
 	app.add_flag("--no-panel", o.noPanel, "The window begins without its panel");
 }
 }  // namespace ep

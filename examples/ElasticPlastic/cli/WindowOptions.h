@@ -33,6 +33,7 @@ struct WindowOptions
 	double recordTime = 20;     ///< its length [s]
 	double textSize = 0;        ///< of a line [pixels]; 0: by the screen's resolution
 	bool noPanel = false;       ///< hidden at the beginning, where the scene has one
+	bool filmPanel = false;     ///< shown in a film
 
 	/// Is there a picture or a film to make, for which there must be a window?
 	bool isFilmed() const { return !screenshot.empty() || !record.empty(); }

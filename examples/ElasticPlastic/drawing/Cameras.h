@@ -4,15 +4,26 @@
 #ifndef EP_CAMERAS_H
 #define EP_CAMERAS_H
 
+#include "drawing/Bounds.h"
 #include "drawing/Drawing.h"
 
 namespace ep
 {
-/// Behind the subject and above it, and from a little to the side.
+/// What covers a picture at its edges: shares of its width and height.
+struct Margins
+{
+	float left = 0, right = 0, bottom = 0, top = 0;
+};
+
+/// Looks along a direction, from as near as the bounds are still whole in what the margins leave of the picture.
+/// \param aspect  the picture's width over its height
+Camera framingCamera(const Bounds& bounds, const btVector3& direction, float aspect, const Margins& margins = {});
+
+/// Behind the subject and above it, and from so far to the side that what it drives at is seen.
 Camera chaseCamera(const btTransform& subject);
 
-/// From the side, so that the extent along x fits into a picture of the given width over height.
-Camera sideCamera(const btVector3& centre, btScalar extent, float aspect);
+/// Moved aside until its target is in the middle between the left and the right margin, and back if that is narrow.
+Camera movedAside(Camera camera, float aspect, const Margins& margins);
 }  // namespace ep
 
 #endif  // EP_CAMERAS_H

@@ -50,8 +50,14 @@ public:
 	virtual int table(const char* name, const std::vector<std::string>& titles, const std::vector<Row>& rows,
 					  int selected) = 0;
 
-	/// Values at equal steps of time, the last one now.
-	virtual void plot(const char* title, const std::vector<float>& values, const char* unit) = 0;
+	struct Curve
+	{
+		const std::vector<float>& values;  ///< the last one now
+		double step;                       ///< from one to the next [s]
+		const char* unit;
+		double limit = 0;  ///< where it yields, to both sides; 0: nowhere
+	};
+	virtual void plot(const char* title, const Curve& curve) = 0;
 };
 
 /// A choice among named things, of which the value is one.

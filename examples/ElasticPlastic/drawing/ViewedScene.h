@@ -4,6 +4,7 @@
 #ifndef EP_VIEWED_SCENE_H
 #define EP_VIEWED_SCENE_H
 
+#include "drawing/Bounds.h"
 #include "drawing/Controls.h"
 #include "drawing/Drawing.h"
 #include "drawing/Panel.h"
@@ -22,14 +23,17 @@ public:
 	virtual void restart() = 0;
 	virtual Drawing draw() const = 0;
 
-	/// Where a camera that stands still looks from the side along -z, and how much it should see along x [m].
-	virtual btVector3 centre() const = 0;
-	virtual btScalar extent() const = 0;
+	/// What a camera that stands still keeps in the picture: the structure and what strikes it, without the ground. And the
+	/// direction in which it looks.
+	virtual Bounds bounds() const = 0;
+	virtual btVector3 sight() const { return btVector3(btScalar(.3), btScalar(-.25), -1); }
 
 	/// Whether controls do something.
 	virtual bool isDriven() const { return false; }
 	/// Titles of what stands beside the picture: at most two, on the left and on the right.
 	virtual std::vector<std::string> panels() const { return {}; }
+	/// Of each, in lines of text.
+	virtual int panelWidth() const { return 17; }
 	virtual void panel(size_t, Panel&) {}
 	/// F1 to F4, from 0 on.
 	virtual void jump(int) {}

@@ -17,7 +17,8 @@ namespace ep
 namespace
 {
 const int LOOK_EVERY = 20;        // steps: whether the file has changed
-const size_t MOST_JOINTS = 20;    // in the table
+const size_t MOST_JOINTS = 12;    // in the table
+const size_t LONGEST_NAME = 13;   // of a joint there
 const size_t MOST_VALUES = 2000;  // of a plot
 
 /// Half of the values go when there are too many.
@@ -115,27 +116,38 @@ void LiveScene::record()
 		append(m_history, float(readJoint(m_simulation->world(), *m_simulation->joint(m_selected)).utilisation));
 }
 
+/// All but the ground, which is much larger than what moves.
 void LiveScene::measure()
 {
-	m_low.setValue(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
-	m_high = -m_low;
+	m_bounds = Bounds();
+	std::vector<Bounds> standing;
 	const auto& bodies = m_simulation->scene().bodies;
 	for (size_t i = 0; i < bodies.size(); ++i)
-		if (bodies[i].motion == SceneDescription::Motion::Dynamic)
-		{
-			m_low.setMin(m_simulation->startOf(int(i)).getOrigin());
-			m_high.setMax(m_simulation->startOf(int(i)).getOrigin());
-		}
-	if (m_low.x() > m_high.x())
-		m_low = m_high = btVector3(0, 0, 0);
+	{
+		const btRigidBody* const body = m_simulation->body(int(i));
+		if (!body)
+			continue;
+		Bounds own;
+		body->getAabb(own.low, own.high);
+		if (bodies[i].motion == SceneDescription::Motion::Static)
+			standing.push_back(own);
+		else
+			m_bounds.add(own);
+	}
+	const btScalar largest = 2 * m_bounds.size().length();
+	for (const Bounds& own : standing)
+		if (own.size().length() < largest)
+			m_bounds.add(own);
+	if (m_bounds.isEmpty())
+		for (btScalar side : {btScalar(-1), btScalar(1)})
+			m_bounds.add(btVector3(side, side, side));
 }
 
-btVector3 LiveScene::centre() const { return (m_low + m_high) / 2; }
-
-btScalar LiveScene::extent() const
+/// As the scene's camera looks.
+btVector3 LiveScene::sight() const
 {
-	const btVector3 size = m_high - m_low;
-	return btMax(size.length(), btScalar(1.8) * size.y()) * btScalar(1.3) + 2;
+	const Camera camera = cameraOf(*m_simulation);
+	return camera.target - camera.eye;
 }
 
 Drawing LiveScene::draw() const
@@ -169,7 +181,7 @@ void LiveScene::happenings(Panel& panel)
 				 "kJ");
 	if (panel.section("Probes", true))
 		for (size_t i = 0; i < m_probes.size(); ++i)
-			panel.plot(m_simulation->scene().probes[i].name.c_str(), m_probes[i], "");
+			panel.plot(m_simulation->scene().probes[i].name.c_str(), {m_probes[i], double(stepTime()), ""});
 }
 
 void LiveScene::joints(Panel& panel)
@@ -193,19 +205,41 @@ void LiveScene::joints(Panel& panel)
 	{
 		if (u.index == m_selected)
 			selected = int(rows.size());
-		rows.push_back(
-			{jointColour(u.reading.utilisation, u.reading.damage),
-			 {m_simulation->scene().joints[size_t(u.index)].name, format("%.0f %%", 100 * u.reading.utilisation),
-			  btElasticPlasticDofName(u.reading.limitingDof), format("%.0f %%", 100 * u.reading.damage)}});
+		rows.push_back({jointColour(u.reading.utilisation, u.reading.damage),
+						{shortName(u.index), format("%.0f %%", 100 * u.reading.utilisation),
+						 btElasticPlasticDofName(u.reading.limitingDof), format("%.0f %%", 100 * u.reading.damage)}});
 	}
-	const int clicked = panel.table("joints", {"joint", "used", "by", "damage"}, rows, selected);
+	const int clicked = panel.table("joints", {"joint", "used", "by", "worn"}, rows, selected);
 	if (clicked >= 0 && used[size_t(clicked)].index != m_selected)
 	{
 		m_selected = used[size_t(clicked)].index;
 		m_history.clear();
 	}
 	if (m_selected >= 0)
-		panel.plot(("used: " + m_simulation->scene().joints[size_t(m_selected)].name).c_str(), m_history, "");
+		panel.plot(("used: " + m_simulation->scene().joints[size_t(m_selected)].name).c_str(),
+				   {m_history, double(stepTime()), "", 1});
+	if (m_simulation->numBroken() > 0 && panel.section("Broken", true))
+		broken(panel);
+}
+
+/// The last ones, the newest first.
+void LiveScene::broken(Panel& panel)
+{
+	std::vector<Panel::Row> rows;
+	const std::vector<SceneEvent>& events = m_simulation->events();
+	for (size_t i = events.size(); i-- > 0 && rows.size() < MOST_JOINTS;)
+		if (events[i].type == SceneEvent::Type::Break)
+			rows.push_back({jointColour(1, 1),
+							{shortName(events[i].index), btElasticPlasticDofName(events[i].dof),
+							 format("%.2f s", events[i].time)}});
+	panel.table("broken", {"joint", "by", "at"}, rows, -1);
+}
+
+/// What tells a joint from its neighbours stands at the end of its name.
+std::string LiveScene::shortName(int joint) const
+{
+	const std::string& name = m_simulation->scene().joints[size_t(joint)].name;
+	return name.size() > LONGEST_NAME ? ".." + name.substr(name.size() - LONGEST_NAME) : name;
 }
 
 void LiveScene::key(char key)
@@ -218,7 +252,7 @@ void LiveScene::key(char key)
 	SceneDescription::Body ball;
 	ball.name = "ball " + std::to_string(++m_balls);
 	ball.shape.kind = SceneDescription::ShapeKind::Sphere;
-	ball.shape.size.setValue(extent() / 40, 0, 0);
+	ball.shape.size.setValue(m_bounds.size().length() / 40, 0, 0);
 	ball.pose.setOrigin(camera.eye + way * btScalar(.3));
 	ball.velocity = way.normalized() * 25;
 	ball.colour.setValue(btScalar(.05), btScalar(.05), btScalar(.06));

@@ -25,8 +25,8 @@ public:
 	void step(const Controls& controls) override;
 	void restart() override { reload(); }
 	Drawing draw() const override;
-	btVector3 centre() const override;
-	btScalar extent() const override;
+	Bounds bounds() const override { return m_bounds; }
+	btVector3 sight() const override;
 	std::vector<std::string> panels() const override { return {"What happens", "Joints"}; }
 	void panel(size_t number, Panel& panel) override;
 	void key(char key) override;
@@ -49,12 +49,14 @@ private:
 	void measure();
 	void happenings(Panel& panel);
 	void joints(Panel& panel);
+	void broken(Panel& panel);
+	std::string shortName(int joint) const;
 
 	std::string m_file, m_complaint;
 	std::vector<Watched> m_watched;
 	std::unique_ptr<Simulation> m_simulation;
 	std::vector<std::vector<float>> m_probes;  // of each, its values at all steps
-	btVector3 m_low, m_high;
+	Bounds m_bounds;                           // at the start
 	int m_untilLook = 0, m_selected = -1, m_balls = 0;
 	std::vector<float> m_history;  // utilisation of the selected joint
 };

@@ -16,8 +16,15 @@ namespace
 {
 const ImU32 DARK = IM_COL32(10, 15, 23, 158), WHITE = IM_COL32(245, 247, 250, 255);
 
+bool theyGoIntoPanel = false;
+
 ImVec2 at(int x, int y) { return ImVec2(float(x), float(y)); }
+
+ImDrawList& target() { return theyGoIntoPanel ? *ImGui::GetWindowDrawList() : *ImGui::GetBackgroundDrawList(); }
 }  // namespace
+
+InPanel::InPanel() { theyGoIntoPanel = true; }
+InPanel::~InPanel() { theyGoIntoPanel = false; }
 
 unsigned shown(const Colour& linearLight, float alpha)
 {
@@ -30,12 +37,12 @@ int scaled(int length) { return int(float(length) * ImGui::GetFontSize() / 18 + 
 
 void rectangle(int x, int y, int width, int height, unsigned colour)
 {
-	ImGui::GetBackgroundDrawList()->AddRectFilled(at(x, y), at(x + width, y + height), colour);
+	target().AddRectFilled(at(x, y), at(x + width, y + height), colour);
 }
 
 void strip(float left, float leftTop, float leftBottom, float right, float rightTop, float rightBottom, unsigned colour)
 {
-	ImDrawList& list = *ImGui::GetBackgroundDrawList();
+	ImDrawList& list = target();
 	// Smoothed edges would show between neighbours.
 	const ImDrawListFlags flags = list.Flags;
 	list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
@@ -44,11 +51,18 @@ void strip(float left, float leftTop, float leftBottom, float right, float right
 	list.Flags = flags;
 }
 
+void line(const std::vector<std::pair<float, float>>& points, unsigned colour)
+{
+	for (const auto& point : points)
+		target().PathLineTo(ImVec2(point.first, point.second));
+	target().PathStroke(colour, ImDrawFlags_None, ImGui::GetFontSize() / 12);
+}
+
 void panel(int x, int y, int width, int height) { rectangle(x, y, width, height, DARK); }
 
 void write(int x, int y, const std::string& text)
 {
-	ImGui::GetBackgroundDrawList()->AddText(at(x, y - int(ImGui::GetFont()->Ascent)), WHITE, text.c_str());
+	target().AddText(at(x, y - int(ImGui::GetFont()->Ascent)), WHITE, text.c_str());
 }
 
 int textWidth(const std::string& text) { return int(ImGui::CalcTextSize(text.c_str()).x + .5f); }

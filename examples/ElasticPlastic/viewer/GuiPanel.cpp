@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "viewer/Brush.h"
+#include "viewer/Chart.h"
 
 namespace ep
 {
@@ -18,11 +19,12 @@ namespace
 ImU32 shown(const Colour& colour) { return brush::shown(colour, 1); }
 }  // namespace
 
-GuiPanel::GuiPanel(const char* title, const Rectangle& place, bool moves)
+GuiPanel::GuiPanel(const char* title, const Rectangle& place, bool moves, bool isFolded)
 {
 	const ImGuiCond when = moves ? ImGuiCond_Always : ImGuiCond_FirstUseEver;
 	ImGui::SetNextWindowPos(ImVec2(place.x, place.y), when);
 	ImGui::SetNextWindowSize(ImVec2(place.width, place.height), when);
+	ImGui::SetNextWindowCollapsed(isFolded, when);
 	ImGui::SetNextWindowBgAlpha(.82f);
 	m_isOpen = ImGui::Begin(title);
 	ImGui::PushItemWidth(-ImGui::GetFontSize() * 9.5f);
@@ -95,18 +97,24 @@ void GuiPanel::shares(const std::vector<Share>& shares, const char* unit)
 		x = next;
 	}
 	ImGui::Dummy(ImVec2(width, height));
-	for (size_t i = 0; i < shares.size(); ++i)
+	float right = 0;
+	for (const Share& share : shares)
 	{
-		if (i % 2)
-			ImGui::SameLine(width / 2);
+		char text[96];
+		std::snprintf(text, sizeof text, "%s %.*f %s", share.name, std::fabs(share.value) < 100 ? 1 : 0, share.value,
+					  unit);
+		const float size = ImGui::GetFontSize() * .7f, gap = ImGui::GetStyle().ItemSpacing.x;
+		const float needed = size + gap + ImGui::CalcTextSize(text).x;
+		// Beside the last one where there is room.
+		if (right > 0 && right + 2 * gap + needed < from.x + width)
+			ImGui::SameLine(0, 2 * gap);
 		const ImVec2 place = ImGui::GetCursorScreenPos();
-		const float size = ImGui::GetFontSize() * .7f;
 		ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(place.x, place.y + size * .3f),
-												  ImVec2(place.x + size, place.y + size * 1.3f),
-												  shown(shares[i].colour));
+												  ImVec2(place.x + size, place.y + size * 1.3f), shown(share.colour));
 		ImGui::Dummy(ImVec2(size, size));
 		ImGui::SameLine();
-		ImGui::Text("%s %.1f %s", shares[i].name, shares[i].value, unit);
+		ImGui::TextUnformatted(text);
+		right = place.x + needed;
 	}
 }
 
@@ -118,8 +126,10 @@ int GuiPanel::table(const char* name, const std::vector<std::string>& titles, co
 		ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
 	if (!ImGui::BeginTable(name, int(titles.size()), flags))
 		return clicked;
-	for (const std::string& title : titles)
-		ImGui::TableSetupColumn(title.c_str());
+	// The first one, with names, has what others leave: they are never cut.
+	for (size_t i = 0; i < titles.size(); ++i)
+		ImGui::TableSetupColumn(titles[i].c_str(),
+								i == 0 ? ImGuiTableColumnFlags_WidthStretch : ImGuiTableColumnFlags_WidthFixed);
 	ImGui::TableHeadersRow();
 	for (size_t r = 0; r < rows.size(); ++r)
 	{
@@ -147,21 +157,16 @@ int GuiPanel::table(const char* name, const std::vector<std::string>& titles, co
 	return clicked;
 }
 
-void GuiPanel::plot(const char* title, const std::vector<float>& values, const char* unit)
+void GuiPanel::plot(const char* title, const Curve& curve)
 {
-	float low = 0, high = 0;
-	for (float value : values)
-	{
-		low = std::min(low, value);
-		high = std::max(high, value);
-	}
+	const std::vector<float>& values = curve.values;
 	char text[160];
-	std::snprintf(text, sizeof text, "%s  %.4g %s  (%.3g to %.3g)", title, values.empty() ? 0. : double(values.back()),
-				  unit, double(low), double(high));
+	std::snprintf(text, sizeof text, "%s  %.4g %s", title, values.empty() ? 0. : double(values.back()), curve.unit);
 	ImGui::TextUnformatted(text);
-	ImGui::PushID(title);
-	ImGui::PlotLines("##plot", values.data(), int(values.size()), 0, nullptr, low, high > low ? high : low + 1,
-					 ImVec2(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 3));
-	ImGui::PopID();
+	const ImVec2 from = ImGui::GetCursorScreenPos();
+	const int width = int(ImGui::GetContentRegionAvail().x), height = int(5.2f * ImGui::GetFontSize());
+	ImGui::Dummy(ImVec2(float(width), float(height)));
+	const brush::InPanel inPanel;
+	drawHistory(curve, {int(from.x), int(from.y), width, height});
 }
 }  // namespace ep

@@ -19,8 +19,12 @@ public:
 
 	/// Pixels from the window's top left corner.
 	/// \param moves  to there now; else it stays where a person has put it
-	GuiPanel(const char* title, const Rectangle& place, bool moves);
+	/// \param isFolded  at first: only its title is seen
+	GuiPanel(const char* title, const Rectangle& place, bool moves, bool isFolded);
 	~GuiPanel() override;
+
+	/// False when folded.
+	bool isOpen() const { return m_isOpen; }
 
 	bool section(const char* title, bool open) override;
 	void text(const std::string& line) override;
@@ -33,7 +37,7 @@ public:
 	void shares(const std::vector<Share>& shares, const char* unit) override;
 	int table(const char* name, const std::vector<std::string>& titles, const std::vector<Row>& rows,
 			  int selected) override;
-	void plot(const char* title, const std::vector<float>& values, const char* unit) override;
+	void plot(const char* title, const Curve& curve) override;
 
 private:
 	bool m_isOpen;

@@ -36,7 +36,7 @@ void writeLegend(const std::vector<Drawing::Key>& legend, int height)
 	int width = margin();
 	for (const Drawing::Key& key : legend)
 		width += swatch() + 6 + brush::textWidth(key.text) + 18;
-	const int y = height - line() - 2 * margin();
+	const int y = height - Overlay::legendHeight();
 	brush::panel(margin(), y, width, line() + margin());
 	int x = 2 * margin();
 	for (const Drawing::Key& key : legend)
@@ -48,10 +48,14 @@ void writeLegend(const std::vector<Drawing::Key>& legend, int height)
 }
 }  // namespace
 
+int Overlay::legendHeight() { return line() + 2 * margin(); }
+int Overlay::textHeight(size_t lines) { return lines > 0 ? int(lines) * line() + 2 * margin() : 0; }
+
 void drawOverlay(const Overlay& overlay, const Layout& layout, int width, int height)
 {
 	const Drawing& drawing = overlay.drawing;
-	writeLines(margin(), margin(), drawing.text);
+	if (!drawing.text.empty())
+		writeLines(margin(), margin(), drawing.text);
 	if (!drawing.legend.empty())
 		writeLegend(drawing.legend, height);
 	if (!drawing.chart.bands.empty())

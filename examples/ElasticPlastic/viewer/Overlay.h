@@ -15,6 +15,10 @@ struct Overlay
 	const Drawing& drawing;  ///< its text, legend and chart
 	std::vector<std::string> help;
 	std::string note;  ///< in the middle
+
+	/// From the lower edge to what is above the legend, and from the upper edge to what is below the text [pixels].
+	static int legendHeight();
+	static int textHeight(size_t lines);
 };
 
 void drawOverlay(const Overlay& overlay, const Layout& layout, int width, int height);

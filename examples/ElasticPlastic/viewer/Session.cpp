@@ -18,6 +18,7 @@ namespace ep
 namespace
 {
 const double MOST_AT_ONCE = 0.25;             // simulated for one picture [s]
+const float LEAST_WITH_PANELS = 50;           // width of a window whose panels are open [lines]
 const double SLOWEST = 1. / 64, FASTEST = 4;  // simulated over real time
 
 /// In a tile higher than wide a camera sees as much from side to side as it should see from top to bottom.
@@ -36,7 +37,7 @@ Session::Session(ViewedScene& scene, const WindowOptions& options)
 	  m_gui(new Gui(float(options.textSize))),
 	  m_camera(!scene.draw().views.empty()),
 	  m_last(Clock::now()),
-	  m_panel(!options.noPanel)
+	  m_panel(!options.noPanel && (options.record.empty() || options.filmPanel))
 {
 	m_camera.select(options.camera);
 }
@@ -96,43 +97,62 @@ void Session::draw(double seconds)
 	const float aspect = float(width) / float(std::max(1, height));
 	m_gui->begin(width, height);
 	const bool panel = m_panel && !m_scene.panels().empty();
+	Margins margins;
 	if (panel)
-		drawPanels(width, height);
+		margins = drawPanels(width, height);
 
 	Drawing drawing = m_scene.draw();
+	if (panel)
+		drawing.text.clear();
+	// A little more than what is written there.
+	const float picture = float(std::max(1, height));
+	margins.top = std::min(.3f, .04f + float(Overlay::textHeight(drawing.text.size())) / picture);
+	margins.bottom = .01f + float(Overlay::legendHeight()) / picture;
 	std::vector<View> views = drawing.views;
+	m_camera.offerViews(!views.empty());
 	if (!m_camera.showsViews())
-		views.assign(
-			1, {drawing.parts, m_camera.camera(m_scene, drawing.subject, aspect, btScalar(seconds)), drawing.skins});
+		views.assign(1, {drawing.parts, m_camera.camera(m_scene, drawing.subject, aspect, margins, btScalar(seconds)),
+						 drawing.skins});
 	const Layout layout(views.size(), !drawing.chart.bands.empty(), width, height);
 
 	glClear(GL_COLOR_BUFFER_BIT);
 	for (size_t i = 0; i < views.size(); ++i)
 		m_renderer->draw(m_camera.showsViews() ? fitted(views[i], layout.views[i]) : views[i], layout.views[i]);
-	if (panel)
-		drawing.text.clear();
 	const std::string note = m_recorder && m_options.record.empty() ? "Recording" : m_paused ? "Paused" : "";
-	drawOverlay({drawing, m_help ? help() : std::vector<std::string>{"H  help"}, note}, layout, width, height);
+	std::vector<std::string> help;
+	if (m_help)
+		help = this->help();
+	else if (m_options.record.empty())
+		help = {"H  help"};
+	drawOverlay({drawing, help, note}, layout, width, height);
 	m_gui->end();
 }
 
-void Session::drawPanels(int width, int height)
+/// \return what they cover of the picture
+Margins Session::drawPanels(int width, int height)
 {
-	const float line = float(brush::scaled(18)), panelWidth = 20 * line;
-	const bool moves = width != m_width || height != m_height;
+	const float line = float(brush::scaled(18)), panelWidth = float(m_scene.panelWidth()) * line, picture = float(std::max(1, width));
+	const bool moves = width != m_width || height != m_height || panelWidth != m_panelWidth;
 	m_width = width;
 	m_height = height;
+	m_panelWidth = panelWidth;
+	Margins margins;
 	const std::vector<std::string> titles = m_scene.panels();
 	// Help takes the right one's place.
 	for (size_t i = 0; i < (m_help ? 1 : titles.size()); ++i)
 	{
 		// Beside the legend below, and the note on help above.
 		const float x = i == 0 ? line / 2 : float(width) - panelWidth - line / 2, y = i == 0 ? line / 2 : 3 * line;
-		GuiPanel panel(titles[i].c_str(), {x, y, panelWidth, float(height) - y - (i == 0 ? 3 : 1) * line}, moves);
+		GuiPanel panel(titles[i].c_str(), {x, y, panelWidth, float(height) - y - (i == 0 ? 3 : 1) * line}, moves,
+					   picture < LEAST_WITH_PANELS * line);
+		if (panel.isOpen())
+			(i == 0 ? margins.left : margins.right) = (panelWidth + line) / picture;
 		if (i == 0)
 			drawTime(panel);
 		m_scene.panel(i, panel);
 	}
+	// Where they leave next to nothing the structure is behind them.
+	return margins.left + margins.right < .75f ? margins : Margins();
 }
 
 void Session::drawTime(Panel& panel)

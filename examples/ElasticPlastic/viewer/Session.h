@@ -42,7 +42,7 @@ private:
 	double passTime();
 	void simulate(double seconds);
 	void draw(double seconds);
-	void drawPanels(int width, int height);
+	Margins drawPanels(int width, int height);
 	void drawTime(Panel& panel);
 	void keepPicture(double seconds);
 	void addToFilm();
@@ -68,6 +68,7 @@ private:
 	bool m_running = true, m_paused = false, m_help = false, m_dragging = false;
 	bool m_panel;
 	int m_width = 0, m_height = 0;  ///< of the window when panels were placed
+	float m_panelWidth = 0;         ///< then
 	int m_mouseX = 0, m_mouseY = 0, m_frames = 0, m_screenshots = 0, m_films = 0;
 };
 }  // namespace ep

@@ -3,11 +3,17 @@
 
 #include "viewer/UserCamera.h"
 
-#include "drawing/Cameras.h"
 #include "LinearMath/btMinMax.h"
 
 namespace ep
 {
+void UserCamera::offerViews(bool views)
+{
+	if (views != m_views)
+		m_mode = views ? VIEWS : SIDE;
+	m_views = views;
+}
+
 void UserCamera::next()
 {
 	m_mode = Mode((m_mode + 1) % MODES);
@@ -40,17 +46,29 @@ void UserCamera::select(WindowCamera camera)
 	}
 }
 
+/// The free camera goes on from where another one stands.
+void UserCamera::setOrbit()
+{
+	if (m_mode != ORBIT)
+	{
+		const btVector3 back = (m_shown.eye - m_shown.target).normalized();
+		m_azimuth = btAtan2(back.z(), back.x());
+		m_elevation = btAsin(back.y());
+	}
+	m_mode = ORBIT;
+}
+
 void UserCamera::turn(int dx, int dy)
 {
-	m_mode = ORBIT;
+	setOrbit();
 	m_azimuth += dx * btScalar(.006);
 	m_elevation = btMax(btScalar(.02), btMin(btScalar(1.5), m_elevation + dy * btScalar(.006)));
 }
 
 void UserCamera::zoom(int steps)
 {
-	m_mode = ORBIT;
-	m_distance = btMax(btScalar(6), btMin(btScalar(150), m_distance * btPow(btScalar(.9), btScalar(steps))));
+	setOrbit();
+	m_zoom = btMax(btScalar(.1), btMin(btScalar(10), m_zoom * btPow(btScalar(.9), btScalar(steps))));
 }
 
 /// Follows with a little delay, so that the picture does not shake with the vehicle.
@@ -66,22 +84,31 @@ Camera UserCamera::chase(const btTransform& subject, btScalar seconds)
 	return m_chase;
 }
 
-Camera UserCamera::orbit(const btTransform& subject) const
+Camera UserCamera::orbit(Bounds bounds, float aspect, const Margins& margins) const
 {
-	Camera camera;
-	camera.target = subject.getOrigin();
+	const btVector3 centre = bounds.centre(), half = bounds.size() * (m_zoom / 2);
+	bounds.low = centre - half;
+	bounds.high = centre + half;
 	const btScalar flat = btCos(m_elevation);
-	camera.eye =
-		camera.target + btVector3(flat * btCos(m_azimuth), btSin(m_elevation), flat * btSin(m_azimuth)) * m_distance;
+	Camera camera = framingCamera(
+		bounds, -btVector3(flat * btCos(m_azimuth), btSin(m_elevation), flat * btSin(m_azimuth)), aspect, margins);
 	camera.eye.setY(btMax(btScalar(.5), camera.eye.y()));
 	return camera;
 }
 
-Camera UserCamera::camera(const ViewedScene& scene, const btTransform& subject, float aspect, btScalar seconds)
+Camera UserCamera::camera(const ViewedScene& scene, const btTransform& subject, float aspect, const Margins& margins,
+						  btScalar seconds)
 {
 	if (m_mode == CHASE)
-		return chase(subject, seconds);
+		return m_shown = movedAside(chase(subject, seconds), aspect, margins);
 	m_chasing = false;
-	return m_mode == ORBIT ? orbit(subject) : sideCamera(scene.centre(), scene.extent(), aspect);
+	if (m_mode == SIDE)
+		return m_shown = framingCamera(scene.bounds(), scene.sight(), aspect, margins);
+	// What is driven stays in the middle.
+	Bounds bounds;
+	if (scene.isDriven())
+		for (btScalar side : {btScalar(-1), btScalar(1)})
+			bounds.add(subject.getOrigin() + btVector3(5, 3, 5) * side);
+	return m_shown = orbit(scene.isDriven() ? bounds : scene.bounds(), aspect, margins);
 }
 }  // namespace ep

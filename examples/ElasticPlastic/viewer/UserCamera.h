@@ -5,16 +5,21 @@
 #define EP_VIEWER_USER_CAMERA_H
 
 #include "cli/WindowOptions.h"
+#include "drawing/Cameras.h"
 #include "drawing/ViewedScene.h"
 
 namespace ep
 {
-/// The camera that a person moves: behind the subject, free around it, or fixed at the side. Or the scene's own ones.
+/// The camera that a person moves: behind the subject, free around it, or fixed where it sees the whole structure. Or the scene's own
+/// ones.
 class UserCamera
 {
 public:
 	/// \param views  whether the scene has cameras of its own; then it begins with them
 	explicit UserCamera(bool views) : m_views(views), m_mode(views ? VIEWS : CHASE) {}
+
+	/// Whether the scene has cameras of its own now: those that come are shown.
+	void offerViews(bool views);
 
 	void next();
 	void select(WindowCamera camera);
@@ -25,7 +30,9 @@ public:
 	void zoom(int steps);
 
 	bool showsViews() const { return m_mode == VIEWS; }
-	Camera camera(const ViewedScene& scene, const btTransform& subject, float aspect, btScalar seconds);
+	/// \param margins  what panels cover
+	Camera camera(const ViewedScene& scene, const btTransform& subject, float aspect, const Margins& margins,
+				  btScalar seconds);
 
 private:
 	enum Mode
@@ -37,13 +44,15 @@ private:
 		MODES
 	};
 
+	void setOrbit();
 	Camera chase(const btTransform& subject, btScalar seconds);
-	Camera orbit(const btTransform& subject) const;
+	Camera orbit(Bounds bounds, float aspect, const Margins& margins) const;
 
 	bool m_views;
 	Mode m_mode;
-	btScalar m_azimuth = btScalar(2.2), m_elevation = btScalar(.3), m_distance = 22;
-	Camera m_chase;
+	btScalar m_azimuth = btScalar(2.2), m_elevation = btScalar(.3);
+	btScalar m_zoom = 1;  ///< of what the free camera sees over what it would
+	Camera m_shown, m_chase;
 	bool m_chasing = false;
 };
 }  // namespace ep

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include "view/ReplayScene.h"
+#include "ReplayScene.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -16,15 +16,28 @@ const Colour STEEL = {.32f, .36f, .42f}, SUPPORT = {.45f, .43f, .40f};
 const double FRAME = 1. / 60;        // played [s]
 const size_t MOST_FRAMES = 60 * 60;  // a minute
 
-/// A little more than what it joins is thick.
-btScalar markOf(const btElasticPlasticJoint& joint)
+/// A band round the thinner one of what it joins, in the joint's axes.
+btVector3 markOf(const btElasticPlasticJoint& joint)
 {
-	const btRigidBody *const a = &joint.getConstraint().getRigidBodyA(), *const b =
-																			 &joint.getConstraint().getRigidBodyB();
-	btVector3 low, high;
-	(b->getInvMass() > 0 ? b : a)->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
-	const btVector3 size = high - low;
-	return btMin(size.y(), size.z()) * btScalar(1.15);
+	const btTransform& frame = joint.getFrameA();
+	btVector3 section(0, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
+	for (const btRigidBody* body : {&joint.getConstraint().getRigidBodyA(), &joint.getConstraint().getRigidBodyB()})
+	{
+		if (body->getInvMass() == 0)
+			continue;
+		btVector3 low, high;
+		body->getCollisionShape()->getAabb(frame.inverse() * body->getCenterOfMassTransform(), low, high);
+		section.setMin(high - low);
+	}
+	section *= btScalar(1.03);
+	section.setX(btMin(section.y(), section.z()) * btScalar(.12));
+	return section;
+}
+
+void addTo(Bounds& bounds, const btVector3& place, const btVector3& size)
+{
+	bounds.add(place - size / 2);
+	bounds.add(place + size / 2);
 }
 }  // namespace
 
@@ -75,7 +88,7 @@ void ReplayScene::record(World& world, double time)
 	for (const auto& body : world.bodies())
 		m_frames.back().bodies.push_back({body->getCenterOfMassTransform(), body->isInWorld()});
 	for (const btElasticPlasticJoint* joint : world.joints())
-		m_frames.back().joints.push_back({joint->getPosition(), markOf(*joint), float(joint->getUtilisation()),
+		m_frames.back().joints.push_back({joint->getFrameA(), markOf(*joint), float(joint->getUtilisation()),
 										  float(joint->getDamage()), joint->isBroken()});
 }
 
@@ -83,16 +96,12 @@ void ReplayScene::record(World& world, double time)
 /// to be magnified to be a twentieth of its size.
 void ReplayScene::measure()
 {
-	m_low.setValue(BT_LARGE_FLOAT, BT_LARGE_FLOAT, BT_LARGE_FLOAT);
-	m_high = -m_low;
+	m_bounds = Bounds();
 	const std::vector<Placed>& start = m_frames.front().bodies;
 	for (size_t i = 0; i < start.size(); ++i)
 		if (!m_bodies[i].isFixed)
-		{
-			m_low.setMin(start[i].pose.getOrigin() - m_bodies[i].size / 2);
-			m_high.setMax(start[i].pose.getOrigin() + m_bodies[i].size / 2);
-		}
-	const btScalar size = (m_high - m_low).length();
+			addTo(m_bounds, start[i].pose.getOrigin(), m_bodies[i].size);
+	const btScalar size = m_bounds.size().length();
 	btScalar displacement = 0;
 	for (const Frame& frame : m_frames)
 		for (size_t i = 0; i < start.size(); ++i)
@@ -103,14 +112,21 @@ void ReplayScene::measure()
 			if (m_bodies[i].isFixed || !(way < size))
 				continue;
 			displacement = std::max(displacement, way);
-			m_low.setMin(place);
-			m_high.setMax(place);
+			m_bounds.add(place);
 		}
 	// The viewer is made for things of a building's size.
-	if (m_high.x() >= m_low.x() && (size < 1 || size > 500))
+	if (!m_bounds.isEmpty() && (size < 1 || size > 500))
 		m_size = std::pow(10, 1 - std::floor(std::log10(double(size))));
 	if (displacement > 0 && displacement < size / 20)
 		m_magnification = std::pow(10, std::floor(std::log10(double(size / 20 / displacement))));
+	bool hasGround = false;
+	for (size_t i = 0; i < start.size(); ++i)
+		if (isGround(m_bodies[i]))
+			hasGround = true;
+		else if (m_bodies[i].isFixed)
+			addTo(m_bounds, start[i].pose.getOrigin(), m_bodies[i].size);
+	// A structure that stands on nothing is drawn above the viewer's ground.
+	m_clearance = hasGround ? 0 : m_bounds.size().length() / 4;
 }
 
 btScalar ReplayScene::stepTime() const { return btScalar(FRAME); }
@@ -121,12 +137,8 @@ void ReplayScene::step(const Controls&)
 	m_frame = m_frame < m_frames.size() + 60 ? m_frame + 1 : 0;
 }
 
-btTransform ReplayScene::magnified(size_t body) const
+btTransform ReplayScene::magnified(const btTransform& start, const btTransform& now) const
 {
-	const btTransform& now = frame().bodies[body].pose;
-	const std::vector<Placed>& first = m_frames.front().bodies;
-	// What appears on the way is drawn where it is.
-	const btTransform& start = body < first.size() ? first[body].pose : now;
 	const btScalar by = btScalar(m_magnification);
 	const btQuaternion turn = now.getRotation() * start.getRotation().inverse();
 	const btScalar angle = turn.getAngleShortestPath() * by;
@@ -138,37 +150,34 @@ btTransform ReplayScene::magnified(size_t body) const
 	return pose;
 }
 
-/// The ground is no part of what was computed: it lies well below.
 btVector3 ReplayScene::shown(const btVector3& place) const
 {
-	return (place - btVector3(0, m_low.y(), 0)) * btScalar(m_size) + btVector3(0, extent(), 0);
+	return (place - btVector3(0, m_bounds.low.y() - m_clearance, 0)) * btScalar(m_size);
 }
 
 Drawing ReplayScene::draw() const
 {
 	Drawing drawing;
+	const Frame& first = m_frames.front();
 	for (size_t i = 0; i < frame().bodies.size(); ++i)
 	{
-		if (!frame().bodies[i].isThere)
+		const Placed& now = frame().bodies[i];
+		if (!now.isThere || isGround(m_bodies[i]))
 			continue;
-		const btTransform pose = magnified(i);
-		const btVector3 size = m_bodies[i].size * btScalar(m_size);
-		// What is much larger than the structure is but where it lies on.
-		if (size.length() < 3 * extent() && std::isfinite(pose.getOrigin().length()))
-			drawing.parts.push_back(boxPart(pose, size * btScalar(.98), m_bodies[i].isFixed ? SUPPORT : STEEL, .4f));
+		// What appears on the way is drawn where it is.
+		const btTransform pose = magnified(i < first.bodies.size() ? first.bodies[i].pose : now.pose, now.pose);
+		if (std::isfinite(pose.getOrigin().length()))
+			drawing.parts.push_back(
+				boxPart(pose, m_bodies[i].size * btScalar(m_size * .98), m_bodies[i].isFixed ? SUPPORT : STEEL, .4f));
 	}
 	for (size_t i = 0; i < frame().joints.size(); ++i)
 	{
 		const Joint& joint = frame().joints[i];
-		if (!std::isfinite(joint.place.length()))
+		if (joint.isBroken || !std::isfinite(joint.pose.getOrigin().length()))
 			continue;
-		const btVector3& start = m_frames.front().joints[i].place;
-		const btTransform pose(btQuaternion(0, 0, 0, 1),
-							   shown(start + (joint.place - start) * btScalar(m_magnification)));
-		const btScalar size = joint.size * btScalar(m_size);
-		const Colour broken = {.6f, .02f, .4f};
-		drawing.parts.push_back(boxPart(pose, btVector3(size, size, size),
-										joint.isBroken ? broken : jointColour(joint.utilisation, joint.damage)));
+		drawing.parts.push_back(
+			boxPart(magnified(i < first.joints.size() ? first.joints[i].pose : joint.pose, joint.pose),
+					joint.size * btScalar(m_size), jointColour(joint.utilisation, joint.damage)));
 	}
 	drawing.text = {m_title, m_result, format("%.2f s, displacements x %g", frame().time, m_magnification)};
 	if (m_size != 1)
@@ -177,17 +186,16 @@ Drawing ReplayScene::draw() const
 		drawing.text.push_back(format("played %g times as fast", m_interval / FRAME));
 	drawing.legend = {
 		{jointColour(0, 0), "unloaded"}, {jointColour(.5, 0), "half of yield"}, {jointColour(1, 0), "yields"}};
-	drawing.subject.setOrigin(centre());
+	drawing.subject.setOrigin(bounds().centre());
 	return drawing;
 }
 
-btVector3 ReplayScene::centre() const { return shown((m_low + m_high) / 2); }
-
-/// A window is wider than high.
-btScalar ReplayScene::extent() const
+Bounds ReplayScene::bounds() const
 {
-	const btVector3 size = m_high - m_low;
-	return btMax(size.length(), btScalar(1.8) * size.y()) * btScalar(1.3 * m_size);
+	Bounds drawn;
+	drawn.add(shown(m_bounds.low));
+	drawn.add(shown(m_bounds.high));
+	return drawn;
 }
 
 void ReplayScene::key(char key)

@@ -27,8 +27,7 @@ public:
 	void step(const Controls& controls) override;
 	void restart() override { m_frame = 0; }
 	Drawing draw() const override;
-	btVector3 centre() const override;
-	btScalar extent() const override;
+	Bounds bounds() const override;
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
 
@@ -40,8 +39,8 @@ private:
 	};
 	struct Joint
 	{
-		btVector3 place;
-		btScalar size;  ///< of its mark
+		btTransform pose;
+		btVector3 size;  ///< of its mark: a band round what it joins
 		float utilisation, damage;
 		bool isBroken;
 	};
@@ -62,14 +61,17 @@ private:
 	void record(World& world, double time);
 	void measure();
 	const Frame& frame() const { return m_frames[std::min(m_frame, m_frames.size() - 1)]; }
-	btTransform magnified(size_t body) const;
+	btTransform magnified(const btTransform& start, const btTransform& now) const;
 	btVector3 shown(const btVector3& place) const;
+	/// What is much larger is but where it lies on.
+	bool isGround(const Body& body) const { return body.isFixed && body.size.length() > 3 * m_bounds.size().length(); }
 
 	std::string m_title, m_result;
 	std::vector<Body> m_bodies;
 	std::vector<Frame> m_frames;
 	size_t m_frame = 0;
-	btVector3 m_low, m_high;     ///< where the moving bodies are
+	Bounds m_bounds;             ///< of what moves, and of its supports
+	btScalar m_clearance = 0;    ///< from the drawn ground to the lowest of it, before it is drawn larger [m]
 	double m_interval;           ///< from frame to frame [s]
 	double m_size = 1;           ///< of what is drawn over what it is: a power of ten
 	double m_magnification = 1;  ///< of displacements and turns: a power of ten

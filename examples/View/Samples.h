@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef EP_SAMPLES_H
+#define EP_SAMPLES_H
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "drawing/ViewedScene.h"
+#include "world/Method.h"
+#include "problems/Problem.h"
+
+namespace ep
+{
+/// Something to look at.
+struct Sample
+{
+	std::string name, what;
+	/// Throws std::runtime_error if it cannot be shown.
+	std::function<std::unique_ptr<ViewedScene>()> open;
+};
+
+struct SampleGroup
+{
+	std::string title;
+	std::vector<Sample> samples;
+};
+
+/// How problems, trials and scenes of destruction are computed.
+struct SampleMethod
+{
+	Solver solver = Solver::Direct;
+	JointKind joints = kinds::Ep2;
+	Stepping stepping;
+};
+
+/// All that the project has to show.
+/// \param folder  of scene files; without one there are none
+std::vector<SampleGroup> allSamples(const SampleMethod& method, const std::string& folder);
+
+/// \return null if there is none of that name
+const Sample* findSample(const std::vector<SampleGroup>& groups, const std::string& name);
+
+/// A line each.
+std::string listOf(const std::vector<SampleGroup>& groups);
+
+/// Throws std::runtime_error if there is none in it, or the build cannot read it.
+std::unique_ptr<ViewedScene> openSceneFile(const std::string& file);
+}  // namespace ep
+
+#endif  // EP_SAMPLES_H

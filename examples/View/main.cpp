@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// ep-view: all that there is to see in a window, or one of it.
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "Browser.h"
+#include "cli/NamedOption.h"
+#include "cli/OptionRange.h"
+#include "cli/WindowOptions.h"
+#include "viewer/Viewer.h"
+
+namespace
+{
+struct Options
+{
+	explicit Options(CLI::App& app)
+	{
+		const auto rate = [this](int perSecond) { method.stepping.step = 1. / perSecond; };
+		app.add_option("name", name, "What to open, as --list names it, or a scene's file; without it all is offered");
+		app.add_flag("--list", list, "Name all that there is, and end");
+		app.add_option("--scenes", scenes, "Folder of scene files that are offered")->capture_default_str();
+		addNamedOption(app, "--solver", method.solver,
+					   "How it is solved; stock: scenes of destruction in Bullet's own way", ep::solvers());
+		addNamedOption(app, "--joint", method.joints, "What holds bodies together", ep::jointKinds());
+		app.add_option_function<int>("--rate", rate, "Steps per second of a problem; a trial has steps of its own")
+			->check(ep::optionRange<int>(1, 1000000))
+			->default_str("60");
+		app.add_option("--substeps", method.stepping.substeps, "Of each step")
+			->check(ep::optionRange<int>(1, 10000))
+			->capture_default_str();
+		app.add_option("--error", method.stepping.error, "Substeps as this error asks for, 0.01 is 1 %; 0: as given")
+			->check(ep::optionRange(0, 1))
+			->capture_default_str();
+		window.camera = ep::WindowCamera::Side;
+		ep::addWindowOptions(app, window);
+	}
+
+	std::string name, scenes = EP_SCENES;
+	bool list = false;
+	ep::SampleMethod method;
+	ep::WindowOptions window;
+};
+
+/// Is it a file, and no name?
+bool isFile(const std::string& name) { return std::filesystem::path(name).extension() == ".json"; }
+
+std::unique_ptr<ep::ViewedScene> sceneOf(const Options& o, const std::vector<ep::SampleGroup>& samples)
+{
+	if (o.name.empty())
+		return std::make_unique<ep::Browser>(samples);
+	const ep::Sample* const sample = ep::findSample(samples, o.name);
+	if (!sample && !isFile(o.name))
+		throw std::runtime_error("there is no problem, scene or trial '" + o.name + "'; --list names them");
+	return sample ? sample->open() : ep::openSceneFile(o.name);
+}
+
+void run(const Options& o)
+{
+	const std::vector<ep::SampleGroup> samples = ep::allSamples(o.method, o.scenes);
+	// Without a display there is the list at least.
+	if (o.list || (o.name.empty() && !ep::hasDisplay()))
+		std::cout << ep::listOf(samples);
+	else
+		ep::runViewer(*sceneOf(o, samples), o.window);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+	CLI::App app(
+		"Problems with known answers, scenes of destruction, scene files, hard cases, Demolisher and Charpy test in "
+		"a window. Problems, scenes of destruction and hard cases are computed first, then played again and again; "
+		"a scene's file is computed as it is looked at, and anew when it changes");
+	Options options(app);
+	CLI11_PARSE(app, argc, argv);
+	try
+	{
+		run(options);
+	}
+	catch (const std::exception& error)
+	{
+		std::cerr << "ep-view: " << error.what() << "\n";
+		return 1;
+	}
+	return 0;
+}

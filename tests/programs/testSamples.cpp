@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "Browser.h"
+#include "programs/SilentPanel.h"
+
+using namespace ep;
+
+namespace
+{
+std::vector<SampleGroup> samples() { return allSamples({}, EP_SCENES); }
+
+/// Clicks on a line of a list.
+struct Click : SilentPanel
+{
+	std::string group;
+	int row = -1, rows = 0;
+	std::string said;
+
+	void text(const std::string& line) override { said += line + "\n"; }
+	int table(const char* name, const std::vector<std::string>&, const std::vector<Row>& lines, int) override
+	{
+		rows += int(lines.size());
+		return name == group ? row : -1;
+	}
+};
+
+SampleGroup broken()
+{
+	return {"Broken",
+			{{"broken", "", []() -> std::unique_ptr<ViewedScene> { throw std::runtime_error("it is not there"); }}}};
+}
+}  // namespace
+
+TEST(Samples, AreAllKindsWithALineAndANameOfTheirOwn)
+{
+	std::set<std::string> names, titles;
+	size_t count = 0;
+	const std::vector<SampleGroup> groups = samples();
+	for (const SampleGroup& group : groups)
+	{
+		titles.insert(group.title);
+		for (const Sample& sample : group.samples)
+		{
+			++count;
+			names.insert(sample.name);
+			EXPECT_EQ(findSample(groups, sample.name), &sample);
+			EXPECT_TRUE(group.title == "Hard cases" || !sample.what.empty()) << sample.name;
+		}
+	}
+	EXPECT_EQ(names.size(), count);
+	EXPECT_EQ(titles.size(), groups.size());
+	for (const char* name : {"dropped-mass", "weak-frame", "all at once/all yield", "demolisher/gate", "charpy/paper"})
+		EXPECT_TRUE(names.count(name)) << name;
+#ifdef EP_WITH_SCENE_FILES
+	EXPECT_TRUE(names.count("column-loss.json"));
+#endif
+}
+
+TEST(Samples, WhatIsClickedInTheListOpens)
+{
+	std::vector<SampleGroup> groups = samples();
+	groups.push_back(broken());
+	Browser browser(groups);
+	EXPECT_TRUE(browser.draw().parts.empty());
+
+	Click click;
+	click.group = "Demolisher";
+	click.row = 0;
+	browser.panel(0, click);
+	EXPECT_NE(click.said.find("Computing demolisher/gate"), std::string::npos);
+	EXPECT_FALSE(browser.isDriven());
+	Click nothing;
+	browser.panel(0, nothing);
+	EXPECT_TRUE(browser.isDriven());
+	browser.step(Controls());
+	EXPECT_FALSE(browser.draw().parts.empty());
+	EXPECT_EQ(browser.panels().size(), 2u);
+
+	// What cannot be opened is told, and what was open stays.
+	click.group = "Broken";
+	browser.panel(0, click);
+	browser.panel(0, nothing);
+	EXPECT_NE(nothing.said.find("broken: it is not there"), std::string::npos);
+	EXPECT_TRUE(browser.isDriven());
+
+	// A replay has no panel of its own: its text stands below the list.
+	click.group = "Problems with known answers";
+	browser.panel(0, click);
+	browser.panel(0, nothing);
+	EXPECT_FALSE(browser.isDriven());
+	EXPECT_EQ(browser.panels().size(), 1u);
+	EXPECT_NE(nothing.said.find("exact"), std::string::npos);
+}
+
+TEST(Samples, BoundsAreTheStructuresWithoutTheGround)
+{
+	// By what their files say: a house of 8 m x 9 m, and a beam in a problem.
+	const std::vector<SampleGroup> groups = samples();
+	for (const char* name : {"column-loss.json", "dropped-mass", "weak-frame", "block-released"})
+	{
+		const Sample* const sample = findSample(groups, name);
+		if (!sample)
+			continue;  // a build without scene files
+		const std::unique_ptr<ViewedScene> scene = sample->open();
+		const Bounds bounds = scene->bounds();
+		EXPECT_GT(bounds.size().length(), 1) << name;
+		EXPECT_LT(bounds.size().length(), 60) << name;
+		EXPECT_GT(bounds.low.y(), -.5) << name;
+	}
+}
