@@ -34,6 +34,7 @@ void Scene::panel(size_t, Panel& panel)
 {
 	for (const std::string& line : text())
 		panel.text(line);
+	panel.text("A change begins the test anew:");
 	bool anew = choice(panel, "joint", m_settings.way, joints());
 	anew = choice(panel, "geometry", m_settings.geometry, geometries()) || anew;
 	anew = choice(panel, "solver", m_settings.solver, solvers()) || anew;

@@ -61,27 +61,32 @@ void DemolisherScene::dashboard(Panel& panel)
 	if (!s.isFinite())
 		panel.text("Something has flown apart: these joints\ndo not bear this step.\nChoose others, or smaller steps.");
 	panel.check("autopilot", m_autopilot);
-	panel.shares({{"kinetic", {.05f, .25f, .55f}, s.kineticEnergy / 1000},
-				  {"elastic", {.05f, .45f, .10f}, s.elasticEnergy / 1000},
-				  {"plastic", {.75f, .30f, .01f}, s.plasticEnergy / 1000},
-				  {"numerical", {.35f, .35f, .35f}, s.numericalEnergy / 1000}},
-				 "kJ");
+	panel.shares(
+		{{"kinetic", {.05f, .25f, .55f}, s.kineticEnergy / 1000, "of all bodies, the vehicle's too"},
+		 {"elastic", {.05f, .45f, .10f}, s.elasticEnergy / 1000, "stored in joints: given back when they are unloaded"},
+		 {"plastic", {.75f, .30f, .01f}, s.plasticEnergy / 1000, "spent on bending joints for good"},
+		 {"numerical",
+		  {.35f, .35f, .35f},
+		  s.numericalEnergy / 1000,
+		  "lost from joints because steps are not short: an error.\nOn the bridge it halves with twice the substeps"}},
+		"kJ");
 }
 
 bool DemolisherScene::methodSettings(Panel& panel)
 {
 	DemolisherSettings& s = m_settings;
 	JointKind kind = s.method.kind();
-	panel.text("Without beginning anew:");
-	const bool changed = panel.slider("substeps", s.substeps, 1, 50);
-	if (panel.slider("iterations", s.method.iterations, 1, 1000) || changed)
-		m_demolisher->setEffort(s.substeps, s.method.iterations);
 	panel.text("A change begins anew:");
 	bool anew = choice(panel, "joints", kind, jointKinds());
 	s.method.joints = kind.joints;
 	s.method.jointClass = kind.jointClass;
 	anew = choice(panel, "solver", s.method.solver, solvers()) || anew;
-	return slider(panel, "step [ms]", s.step, 1e-3, 1, 50, "%.2f") || anew;
+	anew = slider(panel, "step [ms]", s.step, 1e-3, 1, 50, "%.2f") || anew;
+	panel.text("Without beginning anew:");
+	const bool changed = panel.slider("substeps", s.substeps, 1, 50);
+	if (panel.slider("iterations", s.method.iterations, 1, 1000) || changed)
+		m_demolisher->setEffort(s.substeps, s.method.iterations);
+	return anew;
 }
 
 bool DemolisherScene::buildSettings(Panel& panel)

@@ -37,6 +37,7 @@ public:
 		const char* name;
 		Colour colour;
 		double value;
+		const char* help = "";  ///< under the mouse
 	};
 	/// A bar in parts.
 	virtual void shares(const std::vector<Share>& shares, const char* unit) = 0;

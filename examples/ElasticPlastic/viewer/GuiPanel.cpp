@@ -41,7 +41,7 @@ bool GuiPanel::section(const char* title, bool open)
 	return m_isOpen && ImGui::CollapsingHeader(title, open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
 }
 
-void GuiPanel::text(const std::string& line) { ImGui::TextUnformatted(line.c_str()); }
+void GuiPanel::text(const std::string& line) { ImGui::TextWrapped("%s", line.c_str()); }
 
 bool GuiPanel::button(const char* label) { return ImGui::Button(label); }
 
@@ -114,6 +114,8 @@ void GuiPanel::shares(const std::vector<Share>& shares, const char* unit)
 		ImGui::Dummy(ImVec2(size, size));
 		ImGui::SameLine();
 		ImGui::TextUnformatted(text);
+		if (*share.help && ImGui::IsItemHovered())
+			ImGui::SetTooltip("%s", share.help);
 		right = place.x + needed;
 	}
 }
