@@ -123,6 +123,56 @@ TEST(StepControl, WhatIsAskedDuringASubstepLeavesTheStepAsLong)
 	}
 }
 
+TEST(StepControl, SpinMakesNoEnergy)
+{
+	// Free bars of five blocks that spin about skew axes, their ends at a tenth to a third of the speed of sound in them. Substeps that
+	// do not see the spin make 9 to 50 times the energy of these three.
+	struct Bar
+	{
+		double m_length, m_height, m_width, m_youngsModulus;
+		btVector3 m_spin;
+	};
+	const Bar bars[] = {
+		{0.217619214, 0.0594643508, 0.127316525, 6.10185902e9, btVector3(220.6062, 235.873387, -112.43932)},
+		{0.0725321744, 0.0169049111, 0.0390014898, 2.18212301e10, btVector3(442.154973, 122.999162, 364.05696)},
+		{0.173736788, 0.0248210097, 0.0726771519, 3.01700052e9, btVector3(-236.68548, 30.1038488, -150.460367)}};
+	for (const Bar& bar : bars)
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		btElasticPlasticMaterial material = btElasticPlasticMaterial::steel(btScalar(1e30));
+		material.m_youngsModulus = btScalar(bar.m_youngsModulus);
+		const btScalar length = btScalar(bar.m_length), height = btScalar(bar.m_height), width = btScalar(bar.m_width);
+		const auto capacity = btElasticPlasticCapacity::fromMember(
+			material, btElasticPlasticSection::rectangle(width, height), length, length);
+		btCollisionShape* const box = world.box(btVector3(length, height, width));
+		btRigidBody* last = nullptr;
+		for (int i = -2; i <= 2; ++i)
+		{
+			const btVector3 place(btScalar(i) * length, 0, 0), half(length / 2, 0, 0);
+			btRigidBody* const body = world.body(length * height * width * material.m_density, box,
+												 btTransform(btQuaternion::getIdentity(), place), false);
+			body->setAngularVelocity(bar.m_spin);
+			body->setLinearVelocity(bar.m_spin.cross(place));
+			if (last)
+				world.joint(*last, *body, btTransform(btQuaternion::getIdentity(), place - half), capacity);
+			last = body;
+		}
+		const double start = world.kineticEnergy();
+		btElasticPlasticStepControl control(0.01);
+		double most = 0;
+		for (int i = 0; i < 120; ++i)
+		{
+			control.step(world.bullet(), world.action(), btScalar(1) / 60);
+			double energy = world.kineticEnergy();
+			for (const btElasticPlasticJoint* joint : world.joints())
+				energy += joint->getElasticEnergy();
+			most = std::max(most, energy / start - 1);
+		}
+		// Velocities stand half a step before places: energy sways between both.
+		EXPECT_LT(most, 1e-3) << bar.m_length;
+	}
+}
+
 TEST(StepControl, BringsThemBackForABlow)
 {
 	BeamOnSupports::Settings settings;

@@ -24,6 +24,8 @@ const double CALM_SHARE = 1. / 8;
 const double NOTHING_SHARE = 1. / 1000;
 /// Below this share of the error the search doubles the substep: twice the substep has four times the T.
 const double SEARCH_SHARE = 1. / 4;
+/// The most that a joined body may turn in a substep [rad].
+const double MOST_TURN = 1;
 }  // namespace
 
 struct btElasticPlasticStepControl::Works
@@ -70,6 +72,7 @@ struct btElasticPlasticStepControl::Works
 
 	void refine(int level) { m_level = btMax(m_level, btMin(m_maxLevel, level)); }
 	void lookAhead(btDynamicsWorld& world);
+	double findFastestSpin(const btDynamicsWorld& world) const;
 	void markJoined(const btDynamicsWorld& world, const btAlignedObjectArray<btElasticPlasticJoint*>& joints);
 	void chooseLevel();
 
@@ -121,8 +124,23 @@ void btElasticPlasticStepControl::Works::lookAhead(btDynamicsWorld& world)
 	const Approach approach = btElasticPlastic::lookAhead(world, m_joined, m_dt);
 	if (approach.m_isBlow)
 		refine(getResolvedLevel());
-	while (m_level < m_maxLevel && approach.m_rate * double(m_dt) > double(1 << m_level))
+	const double rate = btMax(approach.m_rate, findFastestSpin(world) / MOST_TURN);
+	while (m_level < m_maxLevel && rate * double(m_dt) > double(1 << m_level))
 		++m_level;
+}
+
+/// Of bodies that joints hold [rad/s]. Joints' axes stay during a substep, whatever their bodies turn by.
+double btElasticPlasticStepControl::Works::findFastestSpin(const btDynamicsWorld& world) const
+{
+	double fastest = 0;
+	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+	for (int i = 0; i < objects.size(); ++i)
+	{
+		const btRigidBody* const body = btRigidBody::upcast(objects[i]);
+		if (body && m_joined.isMarked(*body) && body->isActive())
+			fastest = btMax(fastest, double(body->getAngularVelocity().length()));
+	}
+	return fastest;
 }
 
 btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
