@@ -7,7 +7,8 @@
 #                                             <precision> helps where the Bullet itself does not tell
 #   ep_import_bullet(<precision>)             makes the target BulletElasticPlastic::Bullet (float)
 #                                             or BulletElasticPlastic::Bullet-float64 (double)
-#   ep_find_soft_body(<variable> <precision>) Bullet's library of soft bodies, which ours does not need; empty: there is none
+#   ep_find_bullet_library(<variable> <precision> <name>)
+#                                             one of Bullet's that ours does not need, as BulletSoftBody; empty: there is none
 #
 # Used, in this order: the targets of a Bullet in the same build; BULLET_ROOT, and then no other; Bullet_DIR,
 # CMAKE_PREFIX_PATH, the system. Libraries come from where the headers are, so that two Bullets never mix.
@@ -99,20 +100,20 @@ function(ep_import_bullet precision)
 	endif()
 endfunction()
 
-function(ep_find_soft_body result precision)
+function(ep_find_bullet_library result precision name)
 	set(${result} "" PARENT_SCOPE)
 	set(suffix "")
 	if(precision STREQUAL double AND BULLET_EP_LinearMath-float64_LIBRARY)
 		set(suffix -float64)
 	endif()
-	if(TARGET BulletSoftBody)
-		set(${result} BulletSoftBody PARENT_SCOPE)
+	if(TARGET ${name})
+		set(${result} ${name} PARENT_SCOPE)
 	elseif(BULLET_EP_LinearMath${suffix}_LIBRARY)
 		get_filename_component(directory "${BULLET_EP_LinearMath${suffix}_LIBRARY}" DIRECTORY)
-		find_library(BULLET_EP_BulletSoftBody${suffix}_LIBRARY BulletSoftBody${suffix} HINTS ${directory} NO_DEFAULT_PATH)
-		mark_as_advanced(BULLET_EP_BulletSoftBody${suffix}_LIBRARY)
-		if(BULLET_EP_BulletSoftBody${suffix}_LIBRARY)
-			set(${result} ${BULLET_EP_BulletSoftBody${suffix}_LIBRARY} PARENT_SCOPE)
+		find_library(BULLET_EP_${name}${suffix}_LIBRARY ${name}${suffix} HINTS ${directory} NO_DEFAULT_PATH)
+		mark_as_advanced(BULLET_EP_${name}${suffix}_LIBRARY)
+		if(BULLET_EP_${name}${suffix}_LIBRARY)
+			set(${result} ${BULLET_EP_${name}${suffix}_LIBRARY} PARENT_SCOPE)
 		endif()
 	endif()
 endfunction()

@@ -10,6 +10,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlastic6DofSpringConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticAction.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticBonding.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticBulletFile.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConversion.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"

@@ -33,3 +33,8 @@ bool btElasticPlastic6DofSpring2Constraint::isBaseActive()
 			return true;
 	return false;
 }
+
+void btElasticPlastic6DofSpring2Constraint::lock(void* data) const
+{
+	lockInFile(*static_cast<btGeneric6DofSpring2ConstraintData2*>(data));
+}

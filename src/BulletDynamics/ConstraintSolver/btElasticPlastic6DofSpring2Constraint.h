@@ -11,7 +11,8 @@
 /// Those that setCapacity() gives a yield value are elastic-plastic; the others stay Bullet's (limits, motors, servos, springs,
 /// rotation order). Existing code changes the class name, calls setCapacity(), and registers the joint with a
 /// btElasticPlasticAction.
-class alignas(16) btElasticPlastic6DofSpring2Constraint : public btElasticPlasticConstraint<btGeneric6DofSpring2Constraint>
+class alignas(16) btElasticPlastic6DofSpring2Constraint
+	: public btElasticPlasticConstraint<btGeneric6DofSpring2Constraint>
 {
 public:
 	/// Joins two bodies, of which one may be static or kinematic.
@@ -20,12 +21,12 @@ public:
 										  const btTransform& frameInB, RotateOrder rotOrder = RO_XYZ);
 
 	/// Joins a body to the world where it stands.
-	btElasticPlastic6DofSpring2Constraint(btRigidBody& rbB, const btTransform& frameInB,
-										  RotateOrder rotOrder = RO_XYZ);
+	btElasticPlastic6DofSpring2Constraint(btRigidBody& rbB, const btTransform& frameInB, RotateOrder rotOrder = RO_XYZ);
 
 protected:
 	void releaseBase(int dof) override;
 	bool isBaseActive() override;
+	void lock(void* data) const override;
 };
 
 #endif  // BT_ELASTIC_PLASTIC_6DOF_SPRING2_CONSTRAINT_H

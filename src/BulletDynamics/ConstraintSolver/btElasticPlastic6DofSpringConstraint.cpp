@@ -32,3 +32,8 @@ bool btElasticPlastic6DofSpringConstraint::isBaseActive()
 			return true;
 	return false;
 }
+
+void btElasticPlastic6DofSpringConstraint::lock(void* data) const
+{
+	lockInFile(static_cast<btGeneric6DofSpringConstraintData2*>(data)->m_6dofData);
+}

@@ -10,7 +10,8 @@
 /// btGeneric6DofSpringConstraint whose degrees of freedom can yield, flow and tear.
 /// Those that setCapacity() gives a yield value are elastic-plastic; the others stay Bullet's (limits, motors, springs).
 /// Existing code changes the class name, calls setCapacity(), and registers the joint with a btElasticPlasticAction.
-class alignas(16) btElasticPlastic6DofSpringConstraint : public btElasticPlasticConstraint<btGeneric6DofSpringConstraint>
+class alignas(16) btElasticPlastic6DofSpringConstraint
+	: public btElasticPlasticConstraint<btGeneric6DofSpringConstraint>
 {
 public:
 	/// Joins two bodies, of which one may be static or kinematic.
@@ -25,6 +26,7 @@ public:
 protected:
 	void releaseBase(int dof) override;
 	bool isBaseActive() override;
+	void lock(void* data) const override;
 };
 
 #endif  // BT_ELASTIC_PLASTIC_6DOF_SPRING_CONSTRAINT_H

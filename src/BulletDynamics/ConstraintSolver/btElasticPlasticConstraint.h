@@ -47,10 +47,25 @@ public:
 		writeElasticPlasticRows(info, m_baseRows);
 	}
 
+	/// As a constraint of Base's, with what btElasticPlasticImport() needs beside it.
+	const char* serialize(void* data, btSerializer* serializer) const override
+	{
+		const char* const type = Base::serialize(data, serializer);
+		if (isInFile())
+		{
+			lock(data);
+			serializeElasticPlastic(*serializer);
+		}
+		return type;
+	}
+
 	void solveConstraintObsolete(btSolverBody& bodyA, btSolverBody&, btScalar) override { answer(bodyA); }
 
 protected:
 	void updateDrawnFrames() override { Base::calculateTransforms(); }
+
+	/// Calls lockInFile() with the data of Base.
+	virtual void lock(void* data) const = 0;
 
 	template <class... Arguments>
 	explicit btElasticPlasticConstraint(Arguments&&... arguments)

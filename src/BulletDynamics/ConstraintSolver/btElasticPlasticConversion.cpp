@@ -10,6 +10,7 @@
 #include "BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btSliderConstraint.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+#include "ElasticPlastic/joint/JointRegistry.h"
 #include "btElasticPlasticAction.h"
 
 namespace
@@ -197,11 +198,7 @@ Joint* btElasticPlasticConversion::replace(btDynamicsWorld& world, btElasticPlas
 	Joint* const joint = from(constraint, capacity);
 	if (!joint)
 		return nullptr;
-	// A body refers to the constraints that keep it from colliding.
-	btRigidBody& a = constraint.getRigidBodyA();
-	bool disablesCollisions = false;
-	for (int i = 0; i < a.getNumConstraintRefs(); ++i)
-		disablesCollisions |= a.getConstraintRef(i) == &constraint;
+	const bool disablesCollisions = btElasticPlastic::keepsFromColliding(constraint);
 	world.removeConstraint(&constraint);
 	world.addConstraint(joint, disablesCollisions);
 	action.addJoint(joint);

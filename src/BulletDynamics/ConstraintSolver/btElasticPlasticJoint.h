@@ -185,7 +185,31 @@ protected:
 	/// Answers from(). Does nothing if the caller is not from().
 	void answer(btSolverBody& asked);
 
+	// For a file of Bullet's, see btElasticPlasticBulletFile.h.
+
+	/// Whether a file keeps the joint as elastic-plastic.
+	bool isInFile() const;
+
+	/// Writes a block beside what Bullet's class writes of itself.
+	void serializeElasticPlastic(btSerializer& serializer) const;
+
+	/// Locks what is elastic-plastic in the data that Bullet's class has written of itself, at the pose to which the joint has bent.
+	template <class Data>
+	void lockInFile(Data& data) const
+	{
+		getReferenceInA().serialize(data.m_rbAFrame);
+		for (int i = 0; i < 3; ++i)
+		{
+			if (getCapacity().isElasticPlastic(i))
+				data.m_linearLowerLimit.m_floats[i] = data.m_linearUpperLimit.m_floats[i] = 0;
+			if (getCapacity().isElasticPlastic(3 + i))
+				data.m_angularLowerLimit.m_floats[i] = data.m_angularUpperLimit.m_floats[i] = 0;
+		}
+	}
+
 private:
+	btTransform getReferenceInA() const;
+
 	friend class btElasticPlasticAction;
 	friend class btElasticPlastic::JointWorks;
 

@@ -21,16 +21,6 @@ bool joins(const btTypedConstraint& constraint, const btRigidBody& body)
 	return &constraint.getRigidBodyA() == &body || &constraint.getRigidBodyB() == &body;
 }
 
-/// Whether a constraint in the world keeps its bodies from colliding.
-bool keepsFromColliding(btTypedConstraint& constraint)
-{
-	btRigidBody& body = constraint.getRigidBodyA();
-	for (int i = 0; i < body.getNumConstraintRefs(); ++i)
-		if (body.getConstraintRef(i) == &constraint)
-			return true;
-	return false;
-}
-
 bool isIn(const btDynamicsWorld& world, const btTypedConstraint& constraint)
 {
 	for (int i = 0; i < world.getNumConstraints(); ++i)
@@ -39,6 +29,16 @@ bool isIn(const btDynamicsWorld& world, const btTypedConstraint& constraint)
 	return false;
 }
 }  // namespace
+
+bool keepsFromColliding(btTypedConstraint& constraint)
+{
+	// A body refers to the constraints that keep it from colliding.
+	btRigidBody& body = constraint.getRigidBodyA();
+	for (int i = 0; i < body.getNumConstraintRefs(); ++i)
+		if (body.getConstraintRef(i) == &constraint)
+			return true;
+	return false;
+}
 
 void JointRegistry::Entry::setIndex(int index) const { m_joint->m_entry.m_index = index; }
 

@@ -17,9 +17,14 @@
 class btDynamicsWorld;
 class btRigidBody;
 
+class btTypedConstraint;
+
 namespace btElasticPlastic
 {
 class JointWorks;
+
+/// Whether a constraint in the world keeps its bodies from colliding.
+bool keepsFromColliding(btTypedConstraint& constraint);
 
 /// The implementation of btElasticPlasticAction: the joints of a world, which of them are broken, and their events. It owns
 /// no joints.

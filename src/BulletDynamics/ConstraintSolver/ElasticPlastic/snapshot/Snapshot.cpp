@@ -130,7 +130,8 @@ ObjectImage Snapshot::readObject(const btCollisionObject& object) const
 	if (!image.m_isBody)
 		return image;
 	const btRigidBody& body = *btRigidBody::upcast(&object);
-	image.m_inverseMass = body.getInvMass();
+	// A mass that is infinite may leave a zero with a sign, which does not tell one body from another.
+	image.m_inverseMass = body.getInvMass() + btScalar(0);
 	image.m_velocity = body.getLinearVelocity();
 	image.m_spin = body.getAngularVelocity();
 	image.m_force = body.getTotalForce();
