@@ -11,132 +11,17 @@
 
 #include <gtest/gtest.h>
 
-#include "BulletDynamics/ConstraintSolver/btElasticPlastic6DofSpring2Constraint.h"
-#include "BulletDynamics/ConstraintSolver/btElasticPlasticAction.h"
-#include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
-#include "BulletDynamics/ConstraintSolver/btElasticPlasticMultiBodyConstraintSolver.h"
-#include "BulletDynamics/Dynamics/btDiscreteDynamicsWorldMt.h"
-#include "BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h"
 #include "BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h"
 #include "BulletDynamics/Featherstone/btMultiBodyLinkCollider.h"
 #include "BulletSoftBody/btSoftBodyHelpers.h"
-#include "BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h"
-#include "BulletSoftBody/btSoftRigidDynamicsWorld.h"
-#include "btBulletDynamicsCommon.h"
 #include "support/Close.h"
+#include "support/Site.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
 namespace
 {
 using namespace ep;
-
-const btScalar FRAME = btScalar(1) / 60, GRAVITY = 10;
-
-enum class Kind
-{
-	Discrete,
-	Multithreaded,
-	SoftRigid,
-	MultiBody
-};
-
-const char* nameOf(Kind kind)
-{
-	const char* const names[] = {"btDiscreteDynamicsWorld", "btDiscreteDynamicsWorldMt", "btSoftRigidDynamicsWorld",
-								 "btMultiBodyDynamicsWorld"};
-	return names[int(kind)];
-}
-
-/// One of Bullet's worlds with our solver, and what stands in it.
-struct Site
-{
-	btSoftBodyRigidBodyCollisionConfiguration m_configuration;  // knows rigid bodies, too
-	btCollisionDispatcher m_dispatcher{&m_configuration};
-	btDbvtBroadphase m_broadphase;
-	std::unique_ptr<btConstraintSolver> m_solver;
-	std::unique_ptr<btDiscreteDynamicsWorld> m_world;
-	btElasticPlasticAction m_action;
-	std::vector<std::unique_ptr<btCollisionShape>> m_shapes;
-	std::vector<std::unique_ptr<btRigidBody>> m_bodies;
-	std::vector<std::unique_ptr<btElasticPlastic6DofSpring2Constraint>> m_joints;
-
-	explicit Site(Kind kind, const btVector3& gravity = btVector3(0, -GRAVITY, 0))
-	{
-		switch (kind)
-		{
-			case Kind::Discrete:
-				m_solver.reset(new btElasticPlasticConstraintSolver);
-				m_world.reset(
-					new btDiscreteDynamicsWorld(&m_dispatcher, &m_broadphase, m_solver.get(), &m_configuration));
-				break;
-			case Kind::Multithreaded:
-			{
-				// The pool deletes its solvers.
-				btConstraintSolver* solvers[2] = {new btElasticPlasticConstraintSolver,
-												  new btElasticPlasticConstraintSolver};
-				btConstraintSolverPoolMt* pool = new btConstraintSolverPoolMt(solvers, 2);
-				m_solver.reset(pool);
-				m_world.reset(
-					new btDiscreteDynamicsWorldMt(&m_dispatcher, &m_broadphase, pool, nullptr, &m_configuration));
-				break;
-			}
-			case Kind::SoftRigid:
-				m_solver.reset(new btElasticPlasticConstraintSolver);
-				m_world.reset(
-					new btSoftRigidDynamicsWorld(&m_dispatcher, &m_broadphase, m_solver.get(), &m_configuration));
-				break;
-			case Kind::MultiBody:
-			{
-				auto* const solver = new btElasticPlasticMultiBodyConstraintSolver;
-				m_solver.reset(solver);
-				m_world.reset(new btMultiBodyDynamicsWorld(&m_dispatcher, &m_broadphase, solver, &m_configuration));
-				break;
-			}
-		}
-		m_world->setGravity(gravity);
-		m_world->addAction(&m_action);
-	}
-	~Site()
-	{
-		for (auto& joint : m_joints)
-			m_world->removeConstraint(joint.get());
-		for (auto& body : m_bodies)
-			m_world->removeRigidBody(body.get());
-		m_world->removeAction(&m_action);
-	}
-
-	btRigidBody& body(btScalar mass, const btVector3& size, const btTransform& pose)
-	{
-		m_shapes.emplace_back(new btBoxShape(size / 2));
-		btVector3 inertia(0, 0, 0);
-		if (mass > 0)
-			m_shapes.back()->calculateLocalInertia(mass, inertia);
-		m_bodies.emplace_back(new btRigidBody(mass, nullptr, m_shapes.back().get(), inertia));
-		m_bodies.back()->setCenterOfMassTransform(pose);
-		m_bodies.back()->setInterpolationWorldTransform(pose);
-		m_bodies.back()->setActivationState(DISABLE_DEACTIVATION);
-		m_world->addRigidBody(m_bodies.back().get());
-		return *m_bodies.back();
-	}
-
-	btElasticPlasticJoint& join(btRigidBody& a, btRigidBody& b, const btTransform& frame,
-								const btElasticPlasticCapacity& capacity)
-	{
-		m_joints.emplace_back(new btElasticPlastic6DofSpring2Constraint(a, b, a.getWorldTransform().inverse() * frame,
-																		b.getWorldTransform().inverse() * frame));
-		EXPECT_TRUE(m_joints.back()->setCapacity(capacity));
-		m_world->addConstraint(m_joints.back().get(), true);
-		EXPECT_TRUE(m_action.addJoint(m_joints.back().get()));
-		return *m_joints.back();
-	}
-
-	void run(int steps)
-	{
-		for (int i = 0; i < steps; ++i)
-			m_world->stepSimulation(FRAME, 0);
-	}
-};
 
 /// A cantilever of steel, 2 m long, of ten blocks. \return its tip
 btRigidBody& buildCantilever(Site& site)

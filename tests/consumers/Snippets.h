@@ -9,6 +9,7 @@
 #include "BulletDynamics/Dynamics/btDiscreteDynamicsWorldMt.h"
 #include "BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h"
 #include "BulletCollision/CollisionDispatch/btSimulationIslandManager.h"
+#include "LinearMath/btThreads.h"
 #include "btBulletDynamicsCommon.h"
 #include "btElasticPlasticCommon.h"
 

@@ -70,7 +70,8 @@ struct btElasticPlasticSolverSettings
 	// ---- inner steps: an island under a blow is taken through several short ones within a step of the world
 
 	/// The error allowed in how much flows in a step, 0 to 1, as btElasticPlasticStepControl has it: an island whose step leaves more
-	/// open is taken through inner steps. 0: none is. Collision detection and the rest of the world have one step.
+	/// open is taken through inner steps. 0: none is, and none in a btConstraintSolverPoolMt. Collision detection and the rest of the
+	/// world have one step.
 	double m_innerError = 0;
 
 	/// The most inner steps of a step, 1 to 4096, of which the largest power of two is taken. Where more were needed, the error is larger.

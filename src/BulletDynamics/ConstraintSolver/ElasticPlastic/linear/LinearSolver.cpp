@@ -15,6 +15,8 @@ namespace
 /// A plan that no island has used for more than this number of steps makes room for new ones. An island whose graph contacts
 /// change in every step has one plan more than this number.
 const long long KEPT_STEPS = 2;
+/// The same where an island goes from one of several solvers to another, and returns after a while.
+const long long KEPT_STEPS_OF_MANY = 20;
 /// The number of plans that are kept where beginStep() is never called, so that plans have no age.
 const size_t KEPT_PLANS = 256;
 
@@ -60,7 +62,7 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 		m_plan->m_edges = edges;
 		m_plan->m_matrix.setPattern(numBodies, reinterpret_cast<const int(*)[2]>(edges.data()), int(edges.size() / 2));
 		m_plan->m_factor.analyse(m_plan->m_matrix, numLast);
-		if (isWorthKeeping(m_plan->m_factor, 1))
+		if (!m_isOneOfMany && isWorthKeeping(m_plan->m_factor, 1))
 			m_plan->m_islandId = ++m_lastIslandId;
 		++m_statistics.m_analyses;
 	}
@@ -87,8 +89,9 @@ void LinearSolver::setSettings(const btElasticPlasticSolverSettings& settings)
 
 LinearSolver::Plan& LinearSolver::newPlan(size_t hash)
 {
+	const long long oldest = m_step - (m_isOneOfMany ? KEPT_STEPS_OF_MANY : KEPT_STEPS);
 	for (auto i = m_plans.begin(); i != m_plans.end();)
-		i = i->second->m_lastUse < m_step - KEPT_STEPS ? m_plans.erase(i) : std::next(i);
+		i = i->second->m_lastUse < oldest ? m_plans.erase(i) : std::next(i);
 	if (m_step == 0 && m_plans.size() >= KEPT_PLANS)
 		m_plans.clear();
 	Plan& plan = *m_plans.emplace(hash, std::unique_ptr<Plan>(new Plan))->second;

@@ -27,7 +27,13 @@ public:
 	explicit LinearSolver(btElasticPlasticStatistics& statistics) : m_statistics(statistics) {}
 
 	/// Ages the plans: those that no step has used for a while make room for new ones.
-	void beginStep() { ++m_step; }
+	/// \param isOneOfMany  any of several linear solvers gets an island in the next step: none keeps factors, so that all give the
+	///                     same bits
+	void beginStep(bool isOneOfMany)
+	{
+		++m_step;
+		m_isOneOfMany = isOneOfMany;
+	}
 
 	/// Begins a problem, with a matrix of zeros on its graph.
 	/// \param edges   two bodies each; repetitions and directions make no difference to the matrix
@@ -98,6 +104,7 @@ private:
 	std::unordered_multimap<size_t, std::unique_ptr<Plan>> m_plans;  // by their graphs' hash
 	Plan* m_plan = nullptr;
 	long long m_step = 0;
+	bool m_isOneOfMany = false;
 	int m_lastIslandId = 0;
 	FactorState m_factorState = NONE;
 	std::vector<int> m_changed;  // bodies

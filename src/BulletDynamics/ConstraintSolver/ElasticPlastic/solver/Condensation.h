@@ -25,7 +25,7 @@ public:
 	}
 
 	void setSettings(const btElasticPlasticSolverSettings& settings) { m_linearSolver.setSettings(settings); }
-	void beginStep() { m_linearSolver.beginStep(); }
+	void beginStep(bool isOneOfMany) { m_linearSolver.beginStep(isOneOfMany); }
 
 	/// Forgets what is inside.
 	void clear() { m_inside.clear(); }

@@ -25,8 +25,8 @@ public:
 
 	void setSettings(const btElasticPlasticSolverSettings& settings);
 
-	/// Ages the plans and factors that are kept from step to step.
-	void beginStep() { m_direct.getSystem().beginStep(); }
+	/// Ages the plans and factors that are kept from step to step. \param isOneOfMany  see LinearSolver::beginStep
+	void beginStep(bool isOneOfMany) { m_direct.getSystem().beginStep(isOneOfMany); }
 
 	/// Solves an island with elastic-plastic joints, in the direct form in as many inner steps as it needs; with the iterative form it
 	/// may be several islands.

@@ -3,6 +3,8 @@
 
 #include "SolverWorks.h"
 
+#include "../joint/JointRegistry.h"
+#include "../joint/JointWorks.h"
 #include "BulletCollision/CollisionDispatch/btCollisionObject.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
@@ -53,6 +55,15 @@ void SolverWorks::setSettings(const btElasticPlasticSolverSettings& settings)
 				solver.reset(new IslandSolver);
 	}
 	m_settings = settings;
+	setSolverSettings();
+}
+
+void SolverWorks::setSolverSettings()
+{
+	btElasticPlasticSolverSettings settings = m_settings;
+	// Inner steps move bodies on which islands of other threads may stand, and early contacts use what they share.
+	if (m_isInPool)
+		settings.m_innerError = 0;
 	for (const auto& solver : m_solvers)
 		solver->setSettings(settings);
 }
@@ -68,8 +79,30 @@ void SolverWorks::takeRowSolvers(btSequentialImpulseConstraintSolver& from)
 
 void SolverWorks::beginStep()
 {
+	if (m_isInPool)
+	{
+		m_isInPool = false;
+		setSolverSettings();
+	}
 	for (const auto& solver : m_solvers)
-		solver->beginStep();
+		solver->beginStep(false);
+}
+
+/// A pool does not tell its solvers of steps, but the time of the joints' action does.
+void SolverWorks::beginStepInPool()
+{
+	for (int i = 0; i < m_joints.size(); ++i)
+	{
+		const JointRegistry* const registry = m_joints[i] ? m_joints[i]->m_entry.m_registry : nullptr;
+		if (!registry)
+			continue;
+		if (registry->getTime() == m_poolTime)
+			return;
+		m_poolTime = registry->getTime();
+		for (const auto& solver : m_solvers)
+			solver->beginStep(true);
+		return;
+	}
 }
 
 bool SolverWorks::findJoints(const SolverGroup& group)
@@ -96,7 +129,7 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
 		return SolverGroup();
 	}
-	if (m_settings.m_innerError > 0 && dispatcher && info.m_timeStep > 0 && findJoints(given))
+	if (m_settings.m_innerError > 0 && !m_isInPool && dispatcher && info.m_timeStep > 0 && findJoints(given))
 	{
 		SolverGroup group = given;
 		group.m_joints = &m_joints[0];
@@ -112,6 +145,8 @@ bool SolverWorks::split(const SolverGroup& given)
 {
 	if (!findJoints(given))
 		return false;
+	if (m_isInPool)
+		beginStepInPool();
 	SolverGroup group = given;
 	group.m_joints = &m_joints[0];
 	m_islands.split(group);

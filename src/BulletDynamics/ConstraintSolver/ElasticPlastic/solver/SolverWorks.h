@@ -28,6 +28,8 @@ public:
 	/// Makes the island solvers iterate with the same row functions as the user's solver.
 	void takeRowSolvers(btSequentialImpulseConstraintSolver& from);
 
+	/// The world begins a step. A solver that it never tells so is one of a pool, as in btConstraintSolverPoolMt: any of the pool's
+	/// solvers gets an island in the next step, at the same time as others get others.
 	void beginStep();
 
 	/// Solves all of a group that depends on elastic-plastic joints. \return what does not, which is left to Bullet
@@ -50,9 +52,13 @@ private:
 
 	/// \return whether there is any elastic-plastic joint
 	bool findJoints(const SolverGroup& group);
+	void beginStepInPool();
+	void setSolverSettings();
 	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
 
 	btElasticPlasticSolverSettings m_settings;
+	bool m_isInPool = true;
+	double m_poolTime = -1;  ///< of the joints' action, by which a solver in a pool knows steps apart
 	EarlyContacts m_earlyContacts;
 	Islands m_islands;
 	btAlignedObjectArray<JointWorks*> m_joints;            ///< per constraint, null if it is not elastic-plastic

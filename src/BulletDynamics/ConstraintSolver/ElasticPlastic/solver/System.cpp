@@ -85,13 +85,13 @@ void System::setSettings(const btElasticPlasticSolverSettings& settings)
 	m_place.reset();
 }
 
-void System::beginStep()
+void System::beginStep(bool isOneOfMany)
 {
-	m_linearSolver.beginStep();
+	m_linearSolver.beginStep(isOneOfMany);
 	if (!m_place)
 		return;
-	m_place->m_condensation.beginStep();
-	m_place->m_inside.beginStep();
+	m_place->m_condensation.beginStep(isOneOfMany);
+	m_place->m_inside.beginStep(isOneOfMany);
 }
 
 void System::forgetMatrix()

@@ -65,7 +65,7 @@ public:
 	void setMaxWork(long long work) { m_settings.m_maxWork = work; }
 
 	/// Ages the plans and factors that are kept from step to step.
-	void beginStep();
+	void beginStep(bool isOneOfMany);
 
 	/// Solves a problem. The targets, compliances and bounds of contacts' rows in the input are changed.
 	/// \param islandId  the id that the last solution of the same island has left here, 0: none; gets the id for the next one
