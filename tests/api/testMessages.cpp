@@ -123,4 +123,37 @@ TEST(Messages, LeaveOutWhatIsNotSet)
 	joint->setName("");
 	EXPECT_EQ("joint (id 7) at (0.5, 0, 0): no fault", printed(*joint));
 }
+/// A multibody's link as a joint sees it that was given one by a cast from btCollisionObject. Its own memory is that of a rigid body.
+struct CastLink : btRigidBody
+{
+	explicit CastLink(btCollisionShape& shape) : btRigidBody(1, nullptr, &shape, btVector3(1, 1, 1))
+	{
+		m_internalType = CO_FEATHERSTONE_LINK;
+	}
+};
+
+TEST(Messages, AJointToALinkIsRefused)
+{
+	for (bool isA : {true, false})
+	{
+		Refusals refusals;
+		Pair pair(Solver::Direct, 12, 12);
+		World& world = pair.m_world;
+		world.action().setListener(&refusals);
+		btBoxShape shape(btVector3(1, 1, 1));
+		CastLink link(shape);
+		btElasticPlastic6DofSpring2Constraint joint(isA ? link : *pair.m_a, isA ? *pair.m_a : link,
+													btTransform::getIdentity(), btTransform::getIdentity());
+		joint.setCapacity(evenCapacity(1e6, 1e5));
+		world.bullet().addConstraint(&joint);
+		EXPECT_FALSE(world.action().addJoint(&joint));
+		ASSERT_EQ(1u, refusals.m_texts.size());
+		EXPECT_TRUE(contains(refusals.m_texts[0], isA ? "of body A is 64" : "of body B is 64")) << refusals.m_texts[0];
+		EXPECT_TRUE(contains(refusals.m_texts[0], "btMultiBodyFixedConstraint")) << refusals.m_texts[0];
+		// Bullet does not see it either.
+		run(world, 3);
+		EXPECT_EQ(btVector3(0, 0, 0), link.getLinearVelocity());
+		world.bullet().removeConstraint(&joint);
+	}
+}
 }  // namespace

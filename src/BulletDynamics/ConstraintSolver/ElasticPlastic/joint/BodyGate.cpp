@@ -27,6 +27,12 @@ bool isFinite(const btRigidBody& body)
 
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA)
 {
+	if (!(body.getInternalType() & btCollisionObject::CO_RIGID_BODY))
+		return btElasticPlasticFault(isBodyA ? "btCollisionObject::getInternalType() of body A"
+											 : "btCollisionObject::getInternalType() of body B",
+									 btScalar(body.getInternalType()),
+									 "2, that of a btRigidBody: tie a rigid body to a multibody's link by "
+									 "btMultiBodyFixedConstraint, and join that");
 	// A mass that is infinite or negative does not make a body static: Bullet looks for its island all the same.
 	const bool isStill = body.getInvMass() == 0 && body.isStaticOrKinematicObject();
 	if (isStill || body.getBroadphaseHandle())

@@ -14,7 +14,7 @@ namespace btElasticPlastic
 /// inertia, factors. A body that has become NaN must not spread that to its neighbours.
 bool isFinite(const btRigidBody& body);
 
-/// \return a fault if a body that can move is in no world
+/// \return a fault if a body that can move is in no world, or is a collision object of another kind that was cast to a rigid body
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA);
 
 /// \return the fault of a body that keeps its joints out of the present step: it is not finite, or it can move and is in no
