@@ -29,6 +29,9 @@ struct WorldParts : btDiscreteDynamicsWorld
 	static btScalar& leftOverOf(btDiscreteDynamicsWorld& world) { return world.*(&WorldParts::m_localTime); }
 };
 
+/// The highest of Bullet's activation states, FIXED_BASE_MULTI_BODY, which Bullet 2.89 does not name yet.
+const int LAST_ACTIVATION = 6;
+
 bool isBodyOf(const btCollisionObject& object) { return btRigidBody::upcast(&object) != nullptr; }
 
 btElasticPlasticFault foreign(const char* what, double value)
@@ -53,8 +56,7 @@ bool isStateFinite(const btElasticPlasticState& state)
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		sum += double(state.m_plastic[dof]) + double(state.m_force[dof]) + double(state.m_forceRate[dof]) +
 			   double(state.m_withheld[dof]) + double(state.m_applied[dof]) + double(state.m_plasticPath[dof]) +
-			   double(state.m_watched[dof]) +
-			   double(dof < 3 ? state.m_initial[dof] + state.m_fibreStrain[dof] : 0);
+			   double(state.m_watched[dof]) + double(dof < 3 ? state.m_initial[dof] + state.m_fibreStrain[dof] : 0);
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 		sum += double(state.m_fibres[i].m_force) + double(state.m_fibres[i].m_forceRate) +
 			   double(state.m_fibres[i].m_offset) + double(state.m_fibres[i].m_damage);
@@ -247,7 +249,7 @@ btElasticPlasticFault Snapshot::findForeignObject(const WorldImage& image) const
 			return foreign("type of a collision object", m_objects[i]->getInternalType());
 		if (body && object.m_inverseMass != body->getInvMass())
 			return foreign("inverse mass of a body [1/kg]", double(body->getInvMass()));
-		if (object.m_activation < ACTIVE_TAG || object.m_activation > FIXED_BASE_MULTI_BODY)
+		if (object.m_activation < ACTIVE_TAG || object.m_activation > LAST_ACTIVATION)
 			return foreign("activation state in the snapshot", object.m_activation);
 		indices.push_back(object.m_worldIndex);
 	}

@@ -81,13 +81,16 @@ void InteriorPoint::addCoupling(const SystemInput& input, double factor, std::ve
 {
 	for (const SystemInput::Bundle& bundle : input.m_bundles)
 		for (int s = 0; s < 2; ++s)
-			if (const int shear = bundle.m_shearRow[s]; shear >= 0)
+		{
+			const int shear = bundle.m_shearRow[s];
+			if (shear >= 0)
 				forEachFibre(input, bundle,
 							 [&](size_t fibre, const double coupling[2])
 							 {
 								 to[fibre] += factor * coupling[s] * m_impulse[size_t(shear)];
 								 to[size_t(shear)] += factor * coupling[s] * m_impulse[fibre];
 							 });
+		}
 	for (const Pair& pair : m_pairsOfRows)
 		for (int k = 0; k < 2; ++k)
 			to[size_t(pair.m_row[k])] += factor * pair.m_coupling * m_impulse[size_t(pair.m_row[1 - k])];
