@@ -25,8 +25,8 @@ const char* const STEEL = "EN 1993-1-1, 3.2.6 and table 3.1; least elongation by
 const char* const FINE_STEEL = "EN 1993-1-1, 3.2.6 and table 3.1; least elongation by EN 10025-3";
 const char* const BARS = "EN 1992-1-1, 3.2.7 and table C.1";
 const char* const CONCRETE = "EN 1992-1-1, table 3.1 and 3.1.3; no tension as in 6.1";
-const char* const ALUMINIUM = "EN 1999-1-1, 3.2.5 and table 3.2b, extruded";
-const char* const TIMBER = "EN 338, C24";
+const char* const ALUMINIUM = "EN 1999-1-1, 3.2.5 and table 3.2b, extruded, 6082 of more than 5 mm";
+const char* const TIMBER = "EN 338:2009, C24";
 
 /// Crushed at a strain of 0.35 %, of which the plastic part is given.
 double crushing(double strength, double youngs) { return 0.0035 - strength / (1000 * youngs); }

@@ -13,6 +13,10 @@
 /// compression, and m_tensileShare the rest: use them in sections with fibres (btElasticPlasticSection::withFibres), since independent
 /// degrees of freedom know one strength only. All are isotropic: timber is as stiff in shear as its modulus along or across the grain makes it,
 /// and concrete's strength in shear is that of the chosen criterion.
+///
+/// Compared with printed tables of these standards: all strengths and moduli but those below; the strains of concrete, bars and A992.
+/// Named after their standard, but not compared: the elongations of steels S235 to S460 and of aluminium; of cast iron all but the tensile
+/// strength and the density; masonry. Of no standard: the plastic strains of timber, brick and glass, which break where they yield.
 struct btElasticPlasticReadyMaterial
 {
 	const char* m_name;    ///< "S355"
