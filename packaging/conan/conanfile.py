@@ -7,7 +7,7 @@ import os
 from conan import ConanFile
 from conan.tools.build import check_min_cppstd
 from conan.tools.cmake import CMake, CMakeToolchain, cmake_layout
-from conan.tools.files import copy
+from conan.tools.files import copy, rmdir
 
 required_conan_version = ">=2.0"
 
@@ -58,6 +58,9 @@ class BulletElasticPlasticConan(ConanFile):
     def package(self):
         copy(self, "LICENSE.txt", src=self.source_folder, dst=os.path.join(self.package_folder, "licenses"))
         CMake(self).install()
+        # Conan makes these from package_info().
+        for made in (("lib", "cmake"), ("lib", "pkgconfig"), ("share",)):
+            rmdir(self, os.path.join(self.package_folder, *made))
 
     def package_info(self):
         suffix = "-float64" if self._is_double else ""
