@@ -81,7 +81,7 @@ const std::vector<Sequence::Operation>& Sequence::legal()
 		&Sequence::move,          &Sequence::makeKinematic,  &Sequence::stepControlled,
 		&Sequence::changeThreads, &Sequence::changeListener, &Sequence::replaceAction,
 		&Sequence::readEvents,    &Sequence::readAll,        &Sequence::deleteBodyAsBulletUsersDo,
-		&Sequence::takeSnapshot,  &Sequence::goBack};
+		&Sequence::takeSnapshot,  &Sequence::goBack,         &Sequence::changeSettings};
 	return all;
 }
 
@@ -124,6 +124,12 @@ Sequence::Joint* Sequence::anyJoint()
 
 btElasticPlasticCapacity Sequence::capacity()
 {
+	if (m_chance.oneIn(5))
+		// With fibres.
+		return btElasticPlasticCapacity::fromMember(
+			btElasticPlasticMaterial::steel(m_chance.power(1e7, 1e9)),
+			btElasticPlasticSection::rectangle(m_chance.power(0.01, 0.5), m_chance.power(0.01, 0.5)),
+			m_chance.power(0.1, 3), m_chance.power(0.1, 3), m_chance.oneIn(2) ? btScalar(0) : m_chance.power(0.01, 1));
 	btElasticPlasticCapacity capacity;
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 	{
@@ -291,8 +297,12 @@ void Sequence::changeJoint()
 	Joint* const joint = anyJoint();
 	if (!joint)
 		return;
-	switch (m_chance.below(4))
+	switch (m_chance.below(5))
 	{
+		case 4:
+			joint->m_joint->setLevel(btElasticPlasticQuantity(m_chance.below(BT_EP_QUANTITY_COUNT)),
+									 m_chance.power(1e-3, 1e6));
+			break;
 		case 0:
 			joint->m_joint->setScheme(m_chance.oneIn(2) ? BT_EP_SCHEME_PAPER : BT_EP_SCHEME_IMPLICIT);
 			break;
@@ -378,6 +388,30 @@ void Sequence::stepControlled()
 }
 
 void Sequence::changeThreads() { m_arena.m_direct.setNumThreads(1 + m_chance.below(3)); }
+
+/// The twin's quiet island has to be solved in the same way.
+void Sequence::changeSettings()
+{
+	btElasticPlasticSolverSettings settings = m_arena.m_direct.getSettings();
+	switch (m_chance.below(4))
+	{
+		case 0:
+			settings.m_innerError = double(m_chance.power(1e-4, 1e-1));
+			settings.m_maxInnerSteps = 1 << m_chance.below(6);
+			break;
+		case 1:
+			settings.m_innerError = 0;
+			break;
+		case 2:
+			settings.m_maxWork = m_chance.oneIn(2) ? 0 : (long long)m_chance.power(1e3, 1e7);
+			break;
+		default:
+			settings.m_contacts = m_chance.oneIn(2) ? BT_EP_SWEPT_CONTACTS : BT_EP_EXACT_CONTACTS;
+	}
+	for (Arena* arena : {&m_arena, &m_twin})
+		if (!arena->m_direct.setSettings(settings))
+			complain("settings are refused");
+}
 
 void Sequence::changeListener()
 {
@@ -470,6 +504,14 @@ void Sequence::badCapacity()
 		return;
 	btElasticPlasticCapacity bad = capacity();
 	const int dof = m_chance.below(BT_EP_DOF_COUNT);
+	if (bad.hasFibres() && m_chance.oneIn(2))
+	{
+		btElasticPlasticFibre& fibre = bad.m_fibres[m_chance.below(bad.m_fibres.size())];
+		btScalar* const numbers[] = {&fibre.m_y,         &fibre.m_z,           &fibre.m_stiffness,
+									 &fibre.m_tension,   &fibre.m_compression, &fibre.m_stretchLimit,
+									 &fibre.m_crushLimit};
+		*numbers[m_chance.below(7)] = m_chance.bad();
+	}
 	switch (m_chance.below(5))
 	{
 		case 0:
@@ -498,6 +540,12 @@ void Sequence::badState()
 	btElasticPlasticState state = joint->m_joint->getState();
 	btScalar* const numbers[] = {state.m_plastic,  state.m_force,   state.m_forceRate,
 								 state.m_withheld, state.m_applied, state.m_plasticPath};
+	if (state.m_fibres.size() > 0 && m_chance.oneIn(2))
+	{
+		btElasticPlasticFibreState& fibre = state.m_fibres[m_chance.below(state.m_fibres.size())];
+		btScalar* const ofFibre[] = {&fibre.m_force, &fibre.m_forceRate, &fibre.m_offset, &fibre.m_damage};
+		*ofFibre[m_chance.below(4)] = m_chance.bad();
+	}
 	switch (m_chance.below(4))
 	{
 		case 0:
@@ -733,9 +781,24 @@ void Sequence::checkAll()
 		};
 		mustBeFinite("plastic energy", state.m_plasticEnergy);
 		mustBeFinite("work", state.m_work);
+		mustBeFinite("plastic rotation", double(state.m_plasticRotation.length2() + state.m_plasticMiddle.length2()));
+		mustBeFinite("last step", double(state.m_lastStep + state.m_withheldStep));
+		for (int i = 0; i < state.m_fibres.size(); ++i)
+		{
+			const btElasticPlasticFibreState& fibre = state.m_fibres[i];
+			for (const btScalar number : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage})
+				mustBeFinite("fibre", double(number));
+		}
+		for (const btScalar number : {state.m_initial[0], state.m_initial[1], state.m_initial[2],
+									  state.m_fibreStrain[0], state.m_fibreStrain[1], state.m_fibreStrain[2]})
+			mustBeFinite("offset", double(number));
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		{
 			mustBeFinite("force", double(state.m_force[dof]));
+			mustBeFinite("rate of force", double(state.m_forceRate[dof]));
+			mustBeFinite("applied force", double(state.m_applied[dof]));
+			mustBeFinite("withheld deformation", double(state.m_withheld[dof]));
+			mustBeFinite("watched deformation", double(state.m_watched[dof]));
 			mustBeFinite("plastic deformation", double(state.m_plastic[dof]));
 			mustBeFinite("plastic path", double(state.m_plasticPath[dof]));
 			if (!joint.m_joint->fault() && joint.m_joint->getDamage(dof) < 0)

@@ -75,6 +75,7 @@ private:
 	void step();
 	void stepControlled();
 	void changeThreads();
+	void changeSettings();
 	void changeListener();
 	void replaceAction();
 	void readEvents();
