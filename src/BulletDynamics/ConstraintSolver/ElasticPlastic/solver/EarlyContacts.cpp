@@ -130,7 +130,8 @@ void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& disp
 						 Way(const_cast<btCollisionObject&>(*manifold.getBody1()), dt)};
 	const btScalar length =
 		(ways[1].getShift() - ways[0].getShift()).length() + ways[0].getTurnLength() + ways[1].getTurnLength();
-	if (!(length > LEAST_WAY))
+	// A share of a way without end is no place.
+	if (!(length > LEAST_WAY) || !btElasticPlasticIsFinite(length))
 		return;
 	const btScalar share = shareAtMeeting(ways);
 	if (!(share > 0 && share < 1))
