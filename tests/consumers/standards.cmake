@@ -8,3 +8,13 @@ foreach(precision IN LISTS precisions)
 		run(${compiler} ${how} -std=c++${standard} -fno-exceptions -fno-rtti -Wall -Wextra -Werror -fsyntax-only "${sources}/game/after.cpp")
 	endforeach()
 endforeach()
+
+# The library's own sources as one file, as a game compiles them with its Bullet.
+file(GLOB_RECURSE parts "${root}/src/*.cpp")
+list(TRANSFORM parts REPLACE "(.+)" "#include \"\\1\"\n")
+list(JOIN parts "" all)
+file(WRITE "${work}/library.cpp" "${all}")
+foreach(standard IN ITEMS 14 17 20)
+	run(${compiler} ${how} -std=c++${standard} "-I${root}/src" -fno-exceptions -fno-rtti -Wall -Wextra -Werror -fsyntax-only
+		"${work}/library.cpp")
+endforeach()
