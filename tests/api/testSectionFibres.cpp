@@ -239,4 +239,21 @@ TEST(SectionFibres, TellWhatIsWrong)
 	EXPECT_FALSE(capacity.hasFibres());
 	EXPECT_FALSE(capacity.fault());
 }
+
+TEST(SectionFibres, NumbersThatNoFibreCanHave)
+{
+	const btElasticPlasticCapacity good = btElasticPlasticCapacity::fromRod(
+		btElasticPlasticMaterial::steel(btScalar(200e6)),
+		btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.1)).withFibres(16), 1);
+	ASSERT_TRUE(good.hasFibres());
+	ASSERT_FALSE(good.fault());
+	const btScalar tiny = btElasticPlasticCapacity::leastStiffness() / 2,
+				   huge = 2 * btElasticPlasticCapacity::greatestYield();
+	btElasticPlasticCapacity soft = good, strong = good, hard = good;
+	soft.m_fibres[3].m_stiffness = tiny;
+	strong.m_fibres[3].m_tension = huge;
+	hard.m_fibres[3].m_compression = huge;
+	for (const btElasticPlasticCapacity* bad : {&soft, &strong, &hard})
+		EXPECT_TRUE(bad->fault());
+}
 }  // namespace

@@ -39,9 +39,9 @@ struct Beam
 		btCollisionShape* const cube = m_world.box(btVector3(1, 1, 1));
 		for (int i = 0; i < 5; ++i)
 			m_blocks.push_back(m_world.body(i == 0 ? 0 : btScalar(100), cube, at(btScalar(i)), false));
-		const btElasticPlasticCapacity rod =
-			btElasticPlasticCapacity::fromRod(btElasticPlasticMaterial::steel(200e6),
-											  btElasticPlasticSection::rectangle(btScalar(0.06), btScalar(0.06)), 1);
+		const btElasticPlasticCapacity rod = btElasticPlasticCapacity::fromRod(
+			btElasticPlasticMaterial::steel(200e6),
+			btElasticPlasticSection::rectangle(btScalar(0.06), btScalar(0.06)).withFibres(16), 1);
 		btElasticPlasticCapacity hinge = evenCapacity(1e7, 1e5);
 		hinge.clear(BT_EP_TORSION);
 		m_joints = {m_world.joint(*m_blocks[0], *m_blocks[1], at(0.5), evenCapacity(1e6, 7e3), JointClass::Spring2),
@@ -149,6 +149,7 @@ TEST(BulletFile, BulletLoadsJointsAsItsOwn)
 {
 	Beam beam;
 	ASSERT_TRUE(beam.m_joints[0]->hasYielded());
+	ASSERT_TRUE(beam.m_joints[1]->getCapacity().hasFibres());
 	Loaded loaded(beam.write());
 	ASSERT_EQ(4, loaded.m_world.getNumConstraints());
 	const int types[4] = {D6_SPRING_2_CONSTRAINT_TYPE, D6_SPRING_2_CONSTRAINT_TYPE, POINT2POINT_CONSTRAINT_TYPE,

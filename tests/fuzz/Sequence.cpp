@@ -128,7 +128,7 @@ btElasticPlasticCapacity Sequence::capacity()
 		// With fibres.
 		return btElasticPlasticCapacity::fromMember(
 			btElasticPlasticMaterial::steel(m_chance.power(1e7, 1e9)),
-			btElasticPlasticSection::rectangle(m_chance.power(0.01, 0.5), m_chance.power(0.01, 0.5)),
+			btElasticPlasticSection::rectangle(m_chance.power(0.01, 0.5), m_chance.power(0.01, 0.5)).withFibres(12),
 			m_chance.power(0.1, 3), m_chance.power(0.1, 3), m_chance.oneIn(2) ? btScalar(0) : m_chance.power(0.01, 1));
 	btElasticPlasticCapacity capacity;
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)

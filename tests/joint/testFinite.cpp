@@ -19,8 +19,10 @@ const btScalar NOT_A_NUMBER = std::numeric_limits<btScalar>::quiet_NaN();
 btElasticPlasticCapacity fibres()
 {
 	btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromRod(
-		btElasticPlasticMaterial::steel(200e6), btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.1)), 1);
+		btElasticPlasticMaterial::steel(200e6),
+		btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.1)).withFibres(16), 1);
 	EXPECT_FALSE(capacity.fault());
+	EXPECT_TRUE(capacity.hasFibres());
 	return capacity;
 }
 

@@ -151,12 +151,17 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 			return btElasticPlasticFault("place of a fibre, y + z [m]", btScalar(place), "finite");
 		if (btElasticPlasticFault f = btElasticPlasticCheckPositive("stiffness of a fibre [N/m]", fibre.m_stiffness))
 			return f;
+		if (!(fibre.m_stiffness >= leastStiffness()))
+			return btElasticPlasticFault("stiffness of a fibre [N/m]", fibre.m_stiffness, "at least 1e-20");
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckNotNegative("strength of a fibre in tension [N]", fibre.m_tension))
 			return f;
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckNotNegative("strength of a fibre in compression [N]", fibre.m_compression))
 			return f;
+		if (fibre.m_tension > greatestYield() || fibre.m_compression > greatestYield())
+			return btElasticPlasticFault("strength of a fibre [N]", btMax(fibre.m_tension, fibre.m_compression),
+										 "at most greatestYield(), 1e37 in float and 1e250 in double");
 		if (btElasticPlasticFault f = btElasticPlasticCheckPositive(
 				"strength of a fibre in tension and compression [N]", fibre.m_tension + fibre.m_compression))
 			return f;
