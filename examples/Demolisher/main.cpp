@@ -45,6 +45,7 @@ void runWindow(const Options& o)
 	{
 		ep::DemolisherScene scene(o.scene.settings());
 		scene.setAutopilot(o.window.isFilmed());
+		scene.setRemembers(!o.window.isFilmed());
 		ep::runViewer(scene, o.window);
 		return;
 	}

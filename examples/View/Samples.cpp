@@ -118,6 +118,7 @@ Sample demolisherSample(const std::string& name, const std::string& what, const 
 				settings.scenes = scenes;
 				auto scene = std::make_unique<DemolisherScene>(settings);
 				scene->setAutopilot(true);
+				scene->setRemembers(true);
 				return std::unique_ptr<ViewedScene>(std::move(scene));
 			}};
 }
@@ -127,7 +128,8 @@ SampleGroup demolisherSamples()
 	SampleGroup group = {"Demolisher", {}};
 	for (const Named<Scene>& scene : scenes())
 		group.samples.push_back(demolisherSample(scene.name, scene.help, {scene.value}));
-	group.samples.push_back(demolisherSample("all", "all of them, one after the other", DemolisherSettings().scenes));
+	group.samples.push_back(
+		demolisherSample("all", "gate, bridge, fence and rod, one after the other", DemolisherSettings().scenes));
 	return group;
 }
 

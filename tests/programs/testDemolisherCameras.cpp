@@ -95,10 +95,9 @@ TEST(Cameras, WhatIsFollowedStandsInTheMiddleOfWhatPanelsLeave)
 
 TEST(Demolisher, CameraThatStandsSeesEachStructureAndTheVehicleThatStrikesIt)
 {
-	DemolisherScene scene{DemolisherSettings()};
 	for (size_t i = 0; i < scenes().size(); ++i)
 	{
-		scene.jump(int(i));
+		DemolisherScene scene(only(scenes()[i].value));
 		const Scene which = scenes()[i].value;
 		const float aspect = 16.f / 9;
 		const Picture picture(framingCamera(scene.bounds(), scene.sight(), aspect), double(aspect));

@@ -182,3 +182,53 @@ TEST(Demolisher, RestartIsAsNew)
 	EXPECT_EQ(first.vehicle.x(), second.vehicle.x());
 	EXPECT_EQ(first.sag, second.sag);
 }
+
+TEST(Demolisher, GoesBackToBeforeTheCrashWithTheSameBits)
+{
+	DemolisherScene scene(only(Scene::Rod));
+	scene.setAutopilot(true);
+	scene.setRemembers(true);
+	while (scene.demolisher().summary().broken == 0)
+		scene.step(Controls());
+	EXPECT_TRUE(scene.isBreaking());
+	const double crash = scene.demolisher().time();
+	ASSERT_TRUE(scene.goBack());
+	EXPECT_FALSE(scene.isBreaking());
+	const DemolisherSummary before = scene.demolisher().summary();
+	EXPECT_EQ(before.broken, 0);
+	EXPECT_NEAR(before.time, crash - 1, .3);
+	// Once more it breaks at the same step.
+	while (scene.demolisher().summary().broken == 0)
+		scene.step(Controls());
+	EXPECT_EQ(scene.demolisher().time(), crash);
+
+	// A ball that has come since is gone, and comes again when it is thrown again.
+	scene.throwBall({btVector3(0, 5, 20), btVector3(0, 0, -1)});
+	scene.step(Controls());
+	EXPECT_EQ(scene.demolisher().balls().size(), 1u);
+	ASSERT_TRUE(scene.goBack());
+	EXPECT_EQ(scene.demolisher().balls().size(), 0u);
+}
+
+TEST(Demolisher, HandPullsWhatItMeetsAndChoosesItsJoint)
+{
+	DemolisherScene scene(only(Scene::Rod));
+	const Beam& rod = scene.demolisher().structure(Scene::Rod)->beams().front();
+	const btVector3 top = rod.m_parts.back()->getCenterOfMassPosition(), eye = top + btVector3(0, 0, 20);
+	EXPECT_FALSE(scene.grab({eye, btVector3(0, 1, -1)}));  // the sky
+	EXPECT_FALSE(scene.grab({eye, btVector3(0, -1, 0)}));  // the ground
+	ASSERT_TRUE(scene.grab({eye, btVector3(0, 0, -1)}));
+	for (int i = 0; i < 60; ++i)
+	{
+		scene.drag({eye, btVector3(btScalar(.1), 0, -1)});
+		scene.step(Controls());
+	}
+	// By a tenth of the eye's distance.
+	EXPECT_NEAR(double(rod.m_parts.back()->getCenterOfMassPosition().x() - top.x()), 2, .5);
+	scene.release();
+	Finger finger("nothing", 0);
+	scene.panel(1, finger);
+	const std::string name = rod.joints().back()->getName();
+	EXPECT_TRUE(std::any_of(finger.m_lines.begin(), finger.m_lines.end(),
+							[&](const std::string& line) { return line.find(name) != std::string::npos; }));
+}

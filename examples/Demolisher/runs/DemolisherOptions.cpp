@@ -85,7 +85,7 @@ DemolisherSettings DemolisherOptions::settings() const
 std::string DemolisherOptions::list()
 {
 	std::string list;
-	addTo(list, "scenes (--scene; all is all of them)", scenes());
+	addTo(list, "scenes (--scene; all is gate, fence, bridge and rod)", scenes());
 	addTo(list, "joints (--joint)", jointKinds());
 	addTo(list, "solvers (--solver)", solvers());
 	return list;

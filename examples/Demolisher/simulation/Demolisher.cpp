@@ -47,6 +47,9 @@ void Demolisher::build(Scene scene)
 		case Scene::Bridge:
 			structure = std::make_unique<Bridge>(m_world, s.materials, s.bridge, origin);
 			break;
+		case Scene::House:
+			structure = std::make_unique<House>(m_world, s.materials, s.house, origin);
+			break;
 		case Scene::Rod:
 			structure = std::make_unique<Rod>(m_world, s.materials, s.rod, origin);
 			break;
@@ -94,6 +97,34 @@ void Demolisher::setEffort(int substeps, int iterations)
 }
 
 void Demolisher::jumpTo(Scene scene) { m_vehicle.place(at(m_settings.startOf(scene))); }
+
+Demolisher::Moment Demolisher::moment()
+{
+	return {m_time, m_balls.size(), m_world.save(), m_joints.records(), m_vehicle.memory(), m_autopilot};
+}
+
+bool Demolisher::goBack(const Moment& moment)
+{
+	for (; m_balls.size() > moment.balls; m_balls.pop_back())
+		m_world.bullet().removeRigidBody(m_balls.back());
+	if (!m_world.restore(moment.world))
+		return false;
+	m_time = moment.time;
+	m_joints.restore(moment.joints);
+	m_vehicle.restore(moment.vehicle);
+	m_autopilot = moment.autopilot;
+	return true;
+}
+
+void Demolisher::throwBall(const btVector3& from, const btVector3& velocity)
+{
+	const btScalar mass = 500, radius = btScalar(.4);
+	btRigidBody* const ball =
+		m_world.body(mass, m_world.keep(new btSphereShape(radius)), btTransform(btQuaternion(0, 0, 0, 1), from));
+	ball->setLinearVelocity(velocity);
+	ball->setFriction(btScalar(.6));
+	m_balls.push_back(ball);
+}
 
 DemolisherSummary Demolisher::summary() const
 {

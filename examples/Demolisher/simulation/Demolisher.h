@@ -50,6 +50,24 @@ public:
 	/// Puts the vehicle at the start of a scene.
 	void jumpTo(Scene scene);
 
+	/// All as it is now, to go back to. \return empty with joints of Bullet's own
+	struct Moment
+	{
+		double time;
+		size_t balls;
+		std::vector<char> world;
+		std::vector<JointRecord> joints;
+		Vehicle::Memory vehicle;
+		Autopilot autopilot;
+	};
+	Moment moment();
+	/// Balls that came later are gone. \return whether it is as it was
+	bool goBack(const Moment& moment);
+
+	void throwBall(const btVector3& from, const btVector3& velocity);
+	/// That have been thrown, in or out of the world.
+	const std::vector<btRigidBody*>& balls() const { return m_balls; }
+
 	double time() const { return m_time; }
 	DemolisherSummary summary() const;
 
@@ -70,7 +88,8 @@ private:
 
 	DemolisherSettings m_settings;
 	World m_world;
-	std::unique_ptr<Structure> m_structures[4];
+	std::unique_ptr<Structure> m_structures[SCENE_COUNT];
+	std::vector<btRigidBody*> m_balls;
 	Vehicle m_vehicle;
 	Autopilot m_autopilot;
 	JointLog m_joints;

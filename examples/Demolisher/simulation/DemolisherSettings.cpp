@@ -13,7 +13,8 @@ const std::vector<Named<Scene>>& scenes()
 		{"gate", Scene::Gate, "a slender steel boom across the lane, held by a heavy box"},
 		{"fence", Scene::Fence, "posts of reinforced concrete with steel rails"},
 		{"bridge", Scene::Bridge, "a deck of reinforced concrete between rigid ramps"},
-		{"rod", Scene::Rod, "an upright steel rod"}};
+		{"rod", Scene::Rod, "an upright steel rod"},
+		{"house", Scene::House, "the frame of a house of three storeys"}};
 	return all;
 }
 
@@ -34,6 +35,8 @@ btScalar DemolisherSettings::placeOf(Scene scene) const
 			return rampFoot() + 26;
 		case Scene::Rod:
 			return rampFoot() + 60;
+		case Scene::House:
+			return rampFoot() + 100;
 		case Scene::Bridge:
 			break;
 	}

@@ -7,6 +7,7 @@
 #include "structures/Bridge.h"
 #include "structures/Fence.h"
 #include "structures/Gate.h"
+#include "structures/House.h"
 #include "structures/Rod.h"
 #include "vehicle/Autopilot.h"
 #include "vehicle/Vehicle.h"
@@ -18,16 +19,19 @@ enum class Scene
 	Gate,
 	Fence,
 	Bridge,
-	Rod
+	Rod,
+	House
 };
+constexpr size_t SCENE_COUNT = 5;
 
-/// In the order of F1 to F4.
+/// Those of F1 to F4 in this order, then the others.
 const std::vector<Named<Scene>>& scenes();
 
 /// The paper's third example (section 3.3): a heavy vehicle among things of concrete blocks and steel joints.
 struct DemolisherSettings
 {
-	std::vector<Scene> scenes = {Scene::Gate, Scene::Fence, Scene::Bridge, Scene::Rod};  ///< that are built
+	std::vector<Scene> scenes = {Scene::Gate, Scene::Fence, Scene::Bridge,
+								 Scene::Rod};  ///< that are built: not the house
 	Method method = Method(Solver::Direct, kinds::Ep2, 50);
 	btScalar step = btScalar(1) / 60;     ///< [s]
 	int substeps = 4;                     ///< of each step; with one, a tenth less flows
@@ -39,6 +43,7 @@ struct DemolisherSettings
 	FenceSettings fence;
 	BridgeSettings bridge;
 	RodSettings rod;
+	HouseSettings house;
 	VehicleSettings vehicle;
 	btScalar speed = 12;  ///< of the autopilot on its own route [m/s]
 	Route route;          ///< empty: from the first scene through the last one

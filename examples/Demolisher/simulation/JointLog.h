@@ -44,6 +44,8 @@ public:
 	void update(double time);
 
 	const std::vector<JointRecord>& records() const { return m_records; }
+	/// As they have been.
+	void restore(const std::vector<JointRecord>& records) { m_records = records; }
 	/// In the records, their number if it is not there.
 	size_t numberOf(const btElasticPlasticJoint& joint) const;
 	JointReading read(const JointRecord& record) const { return readJoint(m_world, *record.joint); }

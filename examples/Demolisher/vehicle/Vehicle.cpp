@@ -88,6 +88,19 @@ void Vehicle::place(const btTransform& pose)
 	resetSuspension();
 }
 
+Vehicle::Memory Vehicle::memory() const
+{
+	return {std::vector<btWheelInfo>(&m_wheelInfo[0], &m_wheelInfo[0] + m_wheelInfo.size()), m_ground, m_steer};
+}
+
+void Vehicle::restore(const Memory& memory)
+{
+	for (size_t i = 0; i < memory.wheels.size(); ++i)
+		m_wheelInfo[int(i)] = memory.wheels[i];
+	m_ground = memory.ground;
+	m_steer = memory.steer;
+}
+
 btTransform Vehicle::pose() const
 {
 	return m_chassis.getCenterOfMassTransform() * btTransform(btQuaternion(btVector3(0, 1, 0), -SIMD_HALF_PI));

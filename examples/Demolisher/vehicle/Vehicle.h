@@ -61,6 +61,16 @@ public:
 	/// Sets engine, brakes and steering for the next step of dt.
 	void drive(const Controls& controls, btScalar dt);
 
+	/// What it remembers from step to step beside its body.
+	struct Memory
+	{
+		std::vector<btWheelInfo> wheels;
+		std::vector<btRigidBody*> ground;
+		btScalar steer;
+	};
+	Memory memory() const;
+	void restore(const Memory& memory);
+
 	/// What the wheels did to bodies with mass in the last substep, mean force [N].
 	const btVector3& loadOnBodies() const { return m_loadOnBodies; }
 

@@ -12,6 +12,8 @@ namespace ep
 {
 namespace
 {
+const double LONGEST_PAST = 10, MOMENTS_APART = .25;  // [s]
+
 void addRoad(Drawing& drawing, btScalar width)
 {
 	drawing.parts.push_back(
@@ -26,11 +28,83 @@ void DemolisherScene::step(const Controls& controls)
 	else
 		m_demolisher->step(controls);
 	m_history.step(*m_demolisher);
+	remember();
+}
+
+/// Not while the hand pulls: what it has in the world is not there when one goes back.
+void DemolisherScene::remember()
+{
+	if (!m_remembers || m_hand->holds() ||
+		(!m_past.empty() && m_demolisher->time() < m_past.back().time + MOMENTS_APART))
+		return;
+	m_past.push_back(m_demolisher->moment());
+	while (m_past.front().time < m_demolisher->time() - LONGEST_PAST)
+		m_past.pop_front();
+}
+
+/// A second before the first break that is remembered, else by two seconds.
+bool DemolisherScene::goBack()
+{
+	double crash = HUGE_VAL;
+	for (const JointRecord& record : m_demolisher->joints().records())
+		if (!m_past.empty() && record.breakTime > m_past.front().time)
+			crash = std::min(crash, record.breakTime);
+	const double to = crash < HUGE_VAL ? crash - 1 : m_demolisher->time() - 2;
+	while (m_past.size() > 1 && m_past.back().time > to)
+		m_past.pop_back();
+	m_hand->release();
+	if (m_past.empty() || !m_demolisher->goBack(m_past.back()))
+		return false;
+	m_history.clear();
+	return true;
+}
+
+bool DemolisherScene::isBreaking() const
+{
+	const double now = m_demolisher->time();
+	for (const JointRecord& record : m_demolisher->joints().records())
+		if (record.breakTime > now - .3)
+			return true;
+	return false;
+}
+
+bool DemolisherScene::grab(const Ray& ray)
+{
+	const btRigidBody* const body = m_hand->grab(ray.from, ray.direction);
+	if (!body)
+		return false;
+	// The joint of this body that is nearest is chosen.
+	const JointLog& log = m_demolisher->joints();
+	size_t nearest = log.records().size();
+	btScalar least = BT_LARGE_FLOAT;
+	for (size_t i = 0; i < log.records().size(); ++i)
+	{
+		const btElasticPlasticJoint& joint = *log.records()[i].joint;
+		const btTypedConstraint& constraint = joint.getConstraint();
+		const btScalar distance = (joint.getPosition() - m_hand->place()).length();
+		if ((&constraint.getRigidBodyA() != body && &constraint.getRigidBodyB() != body) || distance >= least)
+			continue;
+		nearest = i;
+		least = distance;
+	}
+	if (nearest < log.records().size())
+		m_history.follow(nearest, log.read(log.records()[nearest]).limitingDof);
+	return true;
+}
+
+void DemolisherScene::throwBall(const Ray& ray)
+{
+	const btScalar speed = 30, ahead = 3;
+	const btVector3 direction = ray.direction.normalized();
+	m_demolisher->throwBall(ray.from + direction * ahead, direction * speed);
 }
 
 void DemolisherScene::restart()
 {
+	m_past.clear();
+	m_hand.reset();
 	m_demolisher.reset(new Demolisher(m_settings));
+	m_hand.reset(new Hand(m_demolisher->world()));
 	for (Scene scene : m_settings.onTheWay())
 		m_built[size_t(scene)] = wreckOf(scene);
 	m_history.clear();
@@ -73,6 +147,9 @@ Drawing DemolisherScene::draw() const
 		addParts(drawing, world, *m_demolisher->bridge(), m_style);
 	else
 		addRoad(drawing, m_settings.bridge.width + 1);
+	for (const btRigidBody* ball : m_demolisher->balls())
+		addSphere(drawing.parts, ball->getCenterOfMassTransform(),
+				  static_cast<const btSphereShape*>(ball->getCollisionShape())->getRadius(), {.05f, .05f, .06f});
 	addParts(drawing.parts, m_demolisher->vehicle());
 	drawing.subject = m_demolisher->vehicle().pose();
 
@@ -148,7 +225,7 @@ Bounds DemolisherScene::wreckOf(Scene scene) const
 
 Scene DemolisherScene::mostDamaged() const
 {
-	double energies[4] = {};
+	double energies[SCENE_COUNT] = {};
 	for (const JointRecord& record : m_demolisher->joints().records())
 		energies[size_t(record.scene)] += m_demolisher->joints().read(record).plasticEnergy;
 	const std::vector<Scene> way = m_settings.onTheWay();
@@ -158,8 +235,9 @@ Scene DemolisherScene::mostDamaged() const
 
 btVector3 DemolisherScene::sightOf(Scene scene)
 {
-	// From ahead of the vehicle, which would hide what it strikes; the bridge from beside it.
-	return scene == Scene::Bridge ? btVector3(btScalar(.2), btScalar(-.16), -1)
-								  : btVector3(btScalar(-.75), btScalar(-.45), -1);
+	// From beside the bridge; else from ahead of the vehicle, which would hide what it strikes, and of the gate from its box's side.
+	if (scene == Scene::Bridge)
+		return btVector3(btScalar(.2), btScalar(-.16), -1);
+	return btVector3(btScalar(-.75), btScalar(-.45), scene == Scene::Gate ? 1 : -1);
 }
 }  // namespace ep

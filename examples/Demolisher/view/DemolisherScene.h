@@ -4,9 +4,12 @@
 #ifndef EP_DEMOLISHER_SCENE_H
 #define EP_DEMOLISHER_SCENE_H
 
+#include <deque>
+
 #include "drawing/ViewedScene.h"
 #include "view/JointHistory.h"
 #include "view/Parts.h"
+#include "world/Hand.h"
 
 namespace ep
 {
@@ -22,6 +25,8 @@ public:
 	Demolisher& demolisher() { return *m_demolisher; }
 	const Demolisher& demolisher() const { return *m_demolisher; }
 	void setAutopilot(bool on) { m_autopilot = on; }
+	/// Keeps the last seconds to go back to. What is saved changes results by rounding, so nothing is unless a person asks for it.
+	void setRemembers(bool on) { m_remembers = on; }
 
 	/// What is left of a structure where it was built.
 	Bounds wreckOf(Scene scene) const;
@@ -41,6 +46,12 @@ public:
 	Bounds bounds() const override;
 	btVector3 sight() const override { return sightOf(ahead()); }
 	bool isDriven() const override { return true; }
+	bool grab(const Ray& ray) override;
+	void drag(const Ray& ray) override { m_hand->drag(ray.from, ray.direction); }
+	void release() override { m_hand->release(); }
+	void throwBall(const Ray& ray) override;
+	bool goBack() override;
+	bool isBreaking() const override;
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
 	void jump(int number) override;
@@ -49,6 +60,7 @@ public:
 
 private:
 	Scene ahead() const;
+	void remember();
 	void dashboard(Panel& panel);
 	void jointTable(Panel& panel);
 	void jointPlots(Panel& panel);
@@ -61,8 +73,10 @@ private:
 	const DemolisherSettings m_asGiven;
 	DemolisherSettings m_settings;
 	std::unique_ptr<Demolisher> m_demolisher;
-	bool m_autopilot = false;
-	Bounds m_built[4];  ///< structures before anything has struck them, by scene
+	std::unique_ptr<Hand> m_hand;           ///< in its world
+	std::deque<Demolisher::Moment> m_past;  ///< of the last seconds
+	bool m_autopilot = false, m_remembers = false;
+	Bounds m_built[SCENE_COUNT];  ///< structures before anything has struck them, by scene
 	PartStyle m_style;
 	JointHistory m_history;  ///< of the joint that a person has chosen
 };

@@ -52,6 +52,18 @@ std::vector<btVector3> circleOutline(btScalar radius)
 	return outline;
 }
 
+void addSphere(std::vector<Part>& parts, const btTransform& pose, btScalar radius, const Colour& colour)
+{
+	const int slices = 10;
+	for (int i = 0; i < slices; ++i)
+	{
+		// Of which the mean radius is the sphere's.
+		const btScalar width = 2 * radius / slices, z = -radius + width * (btScalar(i) + btScalar(.5));
+		parts.push_back(cylinderPart(pose * btTransform(btQuaternion(0, 0, 0, 1), btVector3(0, 0, z)),
+									 btSqrt(radius * radius - z * z), width, colour, .3f));
+	}
+}
+
 Part cylinderPart(const btTransform& pose, btScalar radius, btScalar width, const Colour& colour, float gloss)
 {
 	const int corners = 32;

@@ -38,6 +38,9 @@ Part cylinderPart(const btTransform& pose, btScalar radius, btScalar width, cons
 Part prismPart(const btTransform& pose, const std::vector<btVector3>& profile, btScalar width, const Colour& colour,
 			   float gloss = 0);
 
+/// In slices.
+void addSphere(std::vector<Part>& parts, const btTransform& pose, btScalar radius, const Colour& colour);
+
 /// A bent thing to draw: an outline in the y-z planes of stations along it, drawn through all of them.
 struct Skin
 {

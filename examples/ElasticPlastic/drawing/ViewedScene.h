@@ -37,6 +37,20 @@ public:
 	virtual void panel(size_t, Panel&) {}
 	/// F1 to F4, from 0 on.
 	virtual void jump(int) {}
+	/// Where the mouse points: from the eye into the picture.
+	struct Ray
+	{
+		btVector3 from, direction;
+	};
+	/// Takes hold of what the ray meets. \return whether there is something to pull: else the mouse turns the camera
+	virtual bool grab(const Ray&) { return false; }
+	virtual void drag(const Ray&) {}
+	virtual void release() {}
+	virtual void throwBall(const Ray&) {}
+	/// To before the last crash. \return whether there was one to go back from
+	virtual bool goBack() { return false; }
+	/// Whether something is breaking just now: a person may want to see it slowly.
+	virtual bool isBreaking() const { return false; }
 	/// A key that the viewer has no use for.
 	virtual void key(char) {}
 	/// Help on such keys, a line each.

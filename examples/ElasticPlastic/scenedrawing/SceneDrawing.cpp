@@ -16,7 +16,7 @@ namespace
 using Shape = SceneDescription::Shape;
 using ShapeKind = SceneDescription::ShapeKind;
 
-const int SLICES = 10;  // of what is round or has any form
+const int SLICES = 10;  // of what has any form
 
 Colour toColour(const btVector3& c) { return {float(c.x()), float(c.y()), float(c.z())}; }
 
@@ -24,17 +24,6 @@ Colour toColour(const btVector3& c) { return {float(c.x()), float(c.y()), float(
 btTransform upright(const btTransform& pose)
 {
 	return pose * btTransform(btQuaternion(btVector3(1, 0, 0), -SIMD_HALF_PI), btVector3(0, 0, 0));
-}
-
-void addSphere(std::vector<Part>& parts, const btTransform& pose, btScalar radius, const Colour& colour)
-{
-	for (int i = 0; i < SLICES; ++i)
-	{
-		// Slices whose mean radius is the sphere's.
-		const btScalar width = 2 * radius / SLICES, z = -radius + width * (btScalar(i) + btScalar(.5));
-		parts.push_back(cylinderPart(pose * btTransform(btQuaternion(0, 0, 0, 1), btVector3(0, 0, z)),
-									 btSqrt(radius * radius - z * z), width, colour, .3f));
-	}
 }
 
 /// Counter-clockwise, by Andrew's monotone chain.

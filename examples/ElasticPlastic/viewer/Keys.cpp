@@ -55,6 +55,10 @@ Keys::Command Keys::key(int key, bool down)
 			return FASTER;
 		case 'm':
 			return PANEL;
+		case 'l':
+			return SLOW_MOTION;
+		case 'z':
+			return GO_BACK;
 		case ESCAPE:
 			return QUIT;
 		default:
@@ -85,8 +89,10 @@ std::vector<std::string> Keys::help(bool drive, bool panel)
 	if (drive)
 		lines = {"W S  or arrows: drive, brake and reverse", "A D  or arrows: steer", "Space  handbrake",
 				 "F1 F2 F3 F4  to the start of a scene"};
-	for (const char* line : {"P  pause,  N or O  single step", "[  slower,  ]  faster", "R  restart",
-							 "C  camera,  mouse  turns it, wheel zooms"})
+	for (const char* line :
+		 {"P  pause,  N or O  single step", "[  slower,  ]  faster", "R  restart",
+		  "C  camera,  mouse  turns it, wheel zooms", "mouse on a body  pulls it, right button  throws a ball",
+		  "Z  back to before the crash,  L  slow motion at breaks on or off"})
 		lines.emplace_back(line);
 	if (panel)
 		lines.emplace_back("M  panel on or off");

@@ -31,6 +31,8 @@ public:
 		SLOWER,
 		FASTER,
 		PANEL,
+		SLOW_MOTION,
+		GO_BACK,
 		JUMP,  ///< and one each for F2 to F4
 		JUMP_LAST = JUMP + 3,
 		QUIT

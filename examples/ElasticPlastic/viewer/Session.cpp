@@ -17,9 +17,10 @@ namespace ep
 {
 namespace
 {
-const double MOST_AT_ONCE = 0.25;             // simulated for one picture [s]
-const float LEAST_WITH_PANELS = 50;           // width of a window whose panels are open [lines]
-const double SLOWEST = 1. / 64, FASTEST = 4;  // simulated over real time
+const double MOST_AT_ONCE = 0.25;                  // simulated for one picture [s]
+const double SLOW_MOTION = 5, LONGEST_SLOWED = 1;  // times; simulated [s]
+const float LEAST_WITH_PANELS = 50;                // width of a window whose panels are open [lines]
+const double SLOWEST = 1. / 64, FASTEST = 4;       // simulated over real time
 
 /// In a tile higher than wide a camera sees as much from side to side as it should see from top to bottom.
 View fitted(View view, const Tile& tile)
@@ -79,11 +80,21 @@ void Session::frame()
 	glutSwapBuffers();
 }
 
+/// Simulated over real time: slower when something begins to break, for a second of the scene. Films and pictures keep their time.
+double Session::tempo(double seconds)
+{
+	const bool isBreaking = m_slowMotion && !m_options.isFilmed() && m_scene.isBreaking();
+	const bool isSlow = isBreaking && m_slowed < LONGEST_SLOWED;
+	const double tempo = isSlow ? m_tempo / SLOW_MOTION : m_tempo;
+	m_slowed = isBreaking ? m_slowed + seconds * tempo : 0;
+	return tempo;
+}
+
 void Session::simulate(double seconds)
 {
 	const double step = double(m_scene.stepTime());
 	// A slow machine falls behind real time rather than more and more behind itself.
-	m_owed = m_paused ? 0 : std::min(m_owed + seconds * m_tempo, MOST_AT_ONCE);
+	m_owed = m_paused ? 0 : std::min(m_owed + seconds * tempo(seconds), MOST_AT_ONCE);
 	int steps = 0;
 	// A film's pictures are as long as steps are, but for rounding.
 	for (; m_owed > step * (1 - 1e-4); m_owed -= step, ++steps)
@@ -131,7 +142,8 @@ void Session::draw(double seconds)
 /// \return what they cover of the picture
 Margins Session::drawPanels(int width, int height)
 {
-	const float line = float(brush::scaled(18)), panelWidth = float(m_scene.panelWidth()) * line, picture = float(std::max(1, width));
+	const float line = float(brush::scaled(18)), panelWidth = float(m_scene.panelWidth()) * line,
+				picture = float(std::max(1, width));
 	const bool moves = width != m_width || height != m_height || panelWidth != m_panelWidth;
 	m_width = width;
 	m_height = height;
@@ -222,6 +234,12 @@ void Session::command(Keys::Command command)
 		case Keys::PANEL:
 			m_panel = !m_panel;
 			break;
+		case Keys::SLOW_MOTION:
+			m_slowMotion = !m_slowMotion;
+			break;
+		case Keys::GO_BACK:
+			m_scene.goBack();
+			break;
 		case Keys::QUIT:
 			m_running = false;
 			break;
@@ -262,9 +280,26 @@ void Session::mouseButton(int button, int state, int x, int y)
 	const bool down = state == GLUT_DOWN, forPanel = m_gui->mouseButton(button, down, x, y);
 	if ((button == wheelUp || button == wheelDown) && down && !forPanel)
 		m_camera.zoom(button == wheelUp ? 1 : -1);
-	m_dragging = button == GLUT_LEFT_BUTTON && down && !forPanel;
 	m_mouseX = x;
 	m_mouseY = y;
+	if (m_pulling)
+		m_scene.release();
+	const bool isOurs = down && !forPanel && !m_camera.showsViews();
+	m_pulling = isOurs && button == GLUT_LEFT_BUTTON && m_scene.grab(mouseRay());
+	m_dragging = down && !forPanel && button == GLUT_LEFT_BUTTON && !m_pulling;
+	if (isOurs && button == GLUT_RIGHT_BUTTON)
+		m_scene.throwBall(mouseRay());
+}
+
+ViewedScene::Ray Session::mouseRay() const
+{
+	const int width = std::max(1, glutGet(GLUT_WINDOW_WIDTH)), height = std::max(1, glutGet(GLUT_WINDOW_HEIGHT));
+	const CameraAxes axes = cameraAxes(m_camera.shown(), float(width) / float(height));
+	const float x = 2 * float(m_mouseX) / float(width) - 1, y = 1 - 2 * float(m_mouseY) / float(height);
+	btVector3 direction;
+	for (int i = 0; i < 3; ++i)
+		direction[i] = btScalar(axes.forward[size_t(i)] + x * axes.right[size_t(i)] + y * axes.up[size_t(i)]);
+	return {m_camera.shown().eye, direction};
 }
 
 void Session::mouseMove(int x, int y)
@@ -276,5 +311,7 @@ void Session::mouseMove(int x, int y)
 		m_camera.turn(x - m_mouseX, y - m_mouseY);
 	m_mouseX = x;
 	m_mouseY = y;
+	if (m_pulling)
+		m_scene.drag(mouseRay());
 }
 }  // namespace ep

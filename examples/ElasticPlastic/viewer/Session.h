@@ -51,6 +51,8 @@ private:
 	void command(Keys::Command command);
 	void save(const std::string& file);
 	std::vector<std::string> help() const;
+	ViewedScene::Ray mouseRay() const;
+	double tempo(double seconds);
 
 	ViewedScene& m_scene;
 	WindowOptions m_options;
@@ -65,7 +67,8 @@ private:
 	double m_filmTime = 0;   ///< what has passed since a film began [s]
 	double m_tempo = 1;      ///< simulated over real time
 	double m_owed = 0;       ///< real time that the scene has not simulated yet [s]
-	bool m_running = true, m_paused = false, m_help = false, m_dragging = false;
+	double m_slowed = 0;     ///< how long something has been breaking, simulated [s]
+	bool m_running = true, m_paused = false, m_help = false, m_dragging = false, m_pulling = false, m_slowMotion = true;
 	bool m_panel;
 	int m_width = 0, m_height = 0;  ///< of the window when panels were placed
 	float m_panelWidth = 0;         ///< then

@@ -29,6 +29,7 @@ public:
 	void turn(int dx, int dy);
 	void zoom(int steps);
 
+	const Camera& shown() const { return m_shown; }
 	bool showsViews() const { return m_mode == VIEWS; }
 	/// \param margins  what panels cover
 	Camera camera(const ViewedScene& scene, const btTransform& subject, float aspect, const Margins& margins,

@@ -4,6 +4,7 @@
 #include "world/World.h"
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticSnapshot.h"
 #include "BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h"
 #include "BulletDynamics/MLCPSolvers/btDantzigSolver.h"
 #include "BulletDynamics/MLCPSolvers/btMLCPSolver.h"
@@ -250,6 +251,23 @@ void World::substep(btScalar dt)
 		if (held.letGo)
 			m_world->removeConstraint(&held.inPlace->constraint());
 	}
+}
+
+std::vector<char> World::save()
+{
+	std::vector<char> bytes;
+	for (const HeldJoint& held : m_joints)
+		if (held.inPlace)
+			return bytes;
+	bytes.resize(size_t(btElasticPlasticSave(*m_world, m_broadphase, m_action, nullptr, 0)));
+	btElasticPlasticSave(*m_world, m_broadphase, m_action, bytes.data(), int(bytes.size()));
+	return bytes;
+}
+
+bool World::restore(const std::vector<char>& saved)
+{
+	return !saved.empty() &&
+		   !btElasticPlasticRestore(*m_world, m_broadphase, m_action, saved.data(), int(saved.size()));
 }
 
 double kineticEnergy(const btRigidBody& body, const btMatrix3x3& basis)

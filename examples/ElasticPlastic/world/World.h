@@ -103,6 +103,11 @@ public:
 	/// Kinetic energy of all bodies [J].
 	double kineticEnergy() const;
 
+	/// As it is between two steps, to go back to. \return empty with joints of Bullet's own, whose state nobody can set
+	std::vector<char> save();
+	/// \return whether it is as it was; not if bodies or constraints have come or gone since
+	bool restore(const std::vector<char>& saved);
+
 private:
 	/// A joint that holds two bodies.
 	struct HeldJoint
