@@ -160,7 +160,7 @@ void FibreStep::setSolution(const double* impulses, const signed char* bounds, b
 	double sum[3] = {};
 	for (int i = 0; i < m_rows.size(); ++i)
 	{
-		m_solution[i] = {btScalar(impulses[i]), bounds[i]};
+		m_solution[i] = {btScalar(impulses[i]), bounds ? bounds[i] : static_cast<signed char>(0)};
 		sum[0] += impulses[i];
 		sum[1] += double(m_rows[i].m_z) * impulses[i];
 		sum[2] -= double(m_rows[i].m_y) * impulses[i];

@@ -229,11 +229,11 @@ void JointStep::setSolution(const double* impulses, const signed char* bounds)
 {
 	const int numPlain = getNumPlainRows();
 	for (int r = 0; r < numPlain; ++r)
-		setImpulse(r, btScalar(impulses[r]), bounds[r]);
+		setImpulse(r, btScalar(impulses[r]), bounds ? bounds[r] : 0);
 	if (!m_usesFibres)
 		return;
 	btScalar resultant[3];
-	m_fibres.setSolution(impulses + numPlain, bounds + numPlain, resultant);
+	m_fibres.setSolution(impulses + numPlain, bounds ? bounds + numPlain : nullptr, resultant);
 	for (int k = 0; k < 3; ++k)
 		setImpulse(numPlain + k, resultant[k], 0);
 }

@@ -53,6 +53,7 @@ public:
 	}
 
 	/// All of a solution by a solver that knows which rows are at a bound: first of the rows, then of the fibres.
+	/// \param bounds  null: all are between theirs
 	void setSolution(const double* impulses, const signed char* bounds);
 
 	btScalar getImpulse(int r) const { return m_row[r].m_impulse; }

@@ -88,7 +88,7 @@ public:
 
 	/// Ends the solution begun by beginAlone(). Does with the impulses what Bullet does for its own rows: it fills the user's
 	/// feedback, sets Bullet's applied impulse, and applies Bullet's breaking threshold.
-	/// \param impulses, bounds  of the step's rows, then of its fibres; a bound is -1, 0 or 1
+	/// \param impulses, bounds  of the step's rows, then of its fibres; a bound is -1, 0 or 1, and null stands for 0 throughout
 	void finishAlone(const double* impulses, const signed char* bounds);
 
 	/// Ends an inner step within the solver. The registry gets what has come of all of them by commit().

@@ -69,9 +69,6 @@ void setMass(const btRigidBody& body, SystemInput::Body& to)
 		}
 }
 
-/// Bounds of rows that are at none.
-const signed char BETWEEN[BT_EP_DOF_COUNT] = {};
-
 /// Copies a Jacobian without the directions that the body's factor locks.
 void copy(double* to, const btVector3& from, const btVector3& factor)
 {
@@ -750,7 +747,7 @@ void DirectForm::finish()
 		if (joint.m_numDamping > 0)
 			joint.m_works->m_step.setDampingImpulse(dampingImpulse(joint));
 		joint.m_works->finishAlone(m_system.getImpulses(joint.m_firstRow),
-								   joint.m_isCut ? BETWEEN : m_system.getBounds(joint.m_firstRow));
+								   joint.m_isCut ? nullptr : m_system.getBounds(joint.m_firstRow));
 	}
 }
 
