@@ -11,8 +11,9 @@ namespace
 {
 using namespace ep;
 
-/// Largest error of a problem's first quantity at 1/240 and 1/960 s. Those of one degree of freedom fall by the square of the
-/// step once it resolves the motion (period 67 ms), with jumps where yield begins in the middle of a step; beams and frames
+/// Largest error of any of a problem's quantities at 1/240 and 1/960 s. Those of one degree of freedom fall by the square of the
+/// step once it resolves the motion (period 67 ms), with jumps where yield begins in the middle of a step, and what opposite flows leave,
+/// plastic offset or angle, is their small difference; beams and frames
 /// have the error of their lumping, of the elastic sway that limit analysis does not know, and of the search for the load (a
 /// thousandth each); a cantilever that swings loses its deeper half-periods first; a travelling hinge and a blow on contacts
 /// are of first order at best.
@@ -24,13 +25,13 @@ struct Bound
 const Bound BOUNDS[] = {
 	{"block-released", 0.05, 0.005},
 	{"block-reversed-60kN", 0.25, 0.015},
-	{"block-reversed-90kN", 0.02, 0.005},
+	{"block-reversed-90kN", 0.045, 0.035},
 	{"block-overloaded", 0.01, 0.0025},
 	{"sudden-load-1", 0.01, 0.001},
 	{"sudden-load-3", 0.02, 0.005},
 	{"sudden-load-10", 0.05, 0.005},
 	{"twisted-bar", 0.02, 0.002},
-	{"cyclic-bending", 0.02, 0.002},
+	{"cyclic-bending", 0.055, 0.015},
 	{"cantilever-at-rest", 0.0001, 0.0001},
 	{"cantilever-swinging", 0.01, 0.01},
 	{"hanging-chain", 0.001, 0.001},
@@ -65,8 +66,7 @@ TEST_P(Problems, DirectSolverIsRight)
 		const Outcome outcome = problem->solve(Solver::Direct, stepping);
 		ASSERT_FALSE(outcome.quantities.empty());
 		EXPECT_LT(outcome.error(), rate < 500 ? bound.coarse : bound.fine)
-			<< outcome.quantities[0].name << ": " << outcome.quantities[0].value << " instead of "
-			<< outcome.quantities[0].exact;
+			<< outcome.worst().name << ": " << outcome.worst().value << " instead of " << outcome.worst().exact;
 		// Contacts by mean velocities may create a ten-thousandth, rounding in float as much (solver/testContacts.cpp).
 		EXPECT_LT(outcome.energyCreated, 1e-3);
 		EXPECT_GT(outcome.simulated, 0);

@@ -4,6 +4,7 @@
 #ifndef EP_PROBLEM_H
 #define EP_PROBLEM_H
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,13 @@ struct Outcome
 	int substeps = 0;          ///< that were taken
 	double energyCreated = 0;  ///< from nowhere, over all there is: EnergyAudit
 
-	/// Of the first quantity, which the problem is named for.
-	double error() const { return quantities.front().error(); }
+	/// The quantity with the largest error.
+	const Quantity& worst() const
+	{
+		return *std::max_element(quantities.begin(), quantities.end(),
+								 [](const Quantity& a, const Quantity& b) { return a.error() < b.error(); });
+	}
+	double error() const { return worst().error(); }
 };
 
 /// How finely a problem is stepped.

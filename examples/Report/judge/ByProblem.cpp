@@ -3,21 +3,31 @@
 
 #include "judge/ByProblem.h"
 
+#include <algorithm>
+
 namespace ep
 {
 ByProblem::ByProblem(const std::vector<Record>& all)
 {
+	const auto isOfOneCase = [](const Record& a, const Record& b)
+	{
+		return a.solver == b.solver && a.scheme == b.scheme && a.jointClass == b.jointClass &&
+			   a.precision == b.precision && a.dt == b.dt && a.substeps == b.substeps && a.iterations == b.iterations &&
+			   a.budget == b.budget;
+	};
 	for (const Record& r : all)
 	{
-		// Each problem is judged by its first quantity.
 		if (!records.count(r.problem))
-		{
 			names.push_back(r.problem);
-			quantity[r.problem] = r.quantity;
-		}
 		Selection& selection = records[r.problem];
-		if (r.quantity == quantity[r.problem])
+		std::vector<std::string>& known = quantities[r.problem];
+		if (std::find(known.begin(), known.end(), r.quantity) == known.end())
+			known.push_back(r.quantity);
+		// The quantities of a case follow each other. What is no number is worst.
+		if (selection.empty() || !isOfOneCase(*selection.back(), r))
 			selection.push_back(&r);
+		else if (!(r.error <= selection.back()->error))
+			selection.back() = &r;
 	}
 }
 }  // namespace ep

@@ -14,12 +14,12 @@ namespace ep
 {
 typedef std::vector<const Record*> Selection;
 
-/// Of all problems, each by the quantity that it is judged by.
+/// Of all problems, each by the quantity in which a case is worst.
 struct ByProblem
 {
 	std::vector<std::string> names;  ///< in the order of the records
 	std::map<std::string, Selection> records;
-	std::map<std::string, std::string> quantity;
+	std::map<std::string, std::vector<std::string>> quantities;
 
 	/// They point into the records.
 	explicit ByProblem(const std::vector<Record>& all);

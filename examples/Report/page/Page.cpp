@@ -36,8 +36,10 @@ std::string htmlOf(const ByProblem& problems, const std::vector<TrialRecord>& tr
 	writeStability(out, trials);
 	for (const std::string& name : problems.names)
 	{
-		out << "<h2 id=\"" << escaped(name) << "\">" << escaped(name) << "</h2><p>"
-			<< escaped(problems.quantity.at(name)) << "</p>\n";
+		out << "<h2 id=\"" << escaped(name) << "\">" << escaped(name) << "</h2><p>";
+		for (const std::string& quantity : problems.quantities.at(name))
+			out << escaped(quantity) << (&quantity == &problems.quantities.at(name).back() ? "" : ", ");
+		out << "; each case by the worst of them.</p>\n";
 		writeProblem(out, name, problems.records.at(name));
 	}
 	out << "</html>\n";

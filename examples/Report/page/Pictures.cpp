@@ -39,7 +39,7 @@ std::string problemPicture(const std::string& name, const Selection& records)
 			{
 				// Below what a picture can tell, and above what is of any use, all are the same.
 				curve.m_points.emplace_back(r->cost(), std::min(std::max(r->error, 1e-6), 1e2));
-				curve.m_tips.push_back(r->setting() + ": " + percent(r->error));
+				curve.m_tips.push_back(r->setting() + ": " + percent(r->error) + " of " + r->quantity);
 			}
 		if (!curve.m_points.empty())
 			plot.m_curves.push_back(curve);
