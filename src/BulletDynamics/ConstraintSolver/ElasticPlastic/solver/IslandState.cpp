@@ -47,7 +47,7 @@ void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegis
 	m_dt = dt;
 	m_kinematic.resizeNoInitialize(0);
 	addBodies(island);
-	m_joints.resizeNoInitialize(0);
+	m_joints.resize(0);
 	m_enabled.resize(0);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
