@@ -410,7 +410,8 @@ bool JointStep::isUsable(double work) const
 			return false;
 		const int dof = m_row[r].m_dof;
 		// The force at the end of the step, its rate, and the energy of its flow are not above these.
-		const double force = double(m_row[r].m_impulse / m_dt) + double(m_model.m_capacity.m_yield[dof]);
+		const double spring = double(m_model.m_capacity.m_stiffness[dof]) * fabs(double(outcomeOf(r).m_trial));
+		const double force = double(m_row[r].m_impulse / m_dt) + btMin(double(m_model.m_capacity.m_yield[dof]), spring);
 		sum += double(btScalar(force / double(m_dt))) + (m_hasRecovery ? double(m_recovery[dof]) : 0);
 	}
 	return btElasticPlasticIsFinite(sum);
