@@ -50,7 +50,8 @@ const Kind KINDS[] = {
 	{"vehicle", [](int r, int g, int b) { return r > 150 && g > 100 && g < r - 15 && b < 70; }},
 	{"dark", [](int r, int g, int b) { return r + g + b < 240; }},
 	{"white", [](int r, int g, int b) { return r > 225 && g > 225 && b > 225; }},
-	{"green", [](int r, int g, int b) { return g > 140 && g > r + 60 && g > b + 60; }},
+	// Joints' marks, on the side away from the sun as well; grass is yellower.
+	{"green", [](int r, int g, int b) { return g > 80 && g > r + 40 && g > b + 20; }},
 	{"red", [](int r, int g, int b) { return r > 150 && g < 110 && b < 90 && r > g + 80; }},
 	{"broken", [](int r, int g, int b) { return r > 130 && b > 70 && g < 80 && r > g + 80; }},
 };
