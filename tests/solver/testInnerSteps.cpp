@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <time.h>
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -286,7 +284,6 @@ TEST(InnerSteps, CostNoMoreThanTheyMay)
 struct BeamBesideBoxes
 {
 	World m_world{Solver::Direct};
-	double m_time = 0;  ///< of the processor [s]
 
 	BeamBesideBoxes()
 	{
@@ -299,12 +296,7 @@ struct BeamBesideBoxes
 		beam.last().setLinearVelocity(btVector3(0, -100, 0));
 	}
 
-	void step()
-	{
-		const clock_t begin = clock();
-		m_world.step(FRAME);
-		m_time += double(clock() - begin) / CLOCKS_PER_SEC;
-	}
+	void step() { m_world.step(FRAME); }
 };
 
 TEST(InnerSteps, CostTheirIslandAlone)
@@ -317,8 +309,8 @@ TEST(InnerSteps, CostTheirIslandAlone)
 		without.step();
 	}
 	EXPECT_GE(statisticsOf(with.m_world).m_innerSteps, 30 * 8);
-	// 1.11 to 1.17 were measured, where eight steps of the world take 7.0 to 7.6.
-	EXPECT_LT(with.m_time, 1.5 * without.m_time);
+	// The boxes are none of the islands that are taken through them.
+	EXPECT_LE(statisticsOf(with.m_world).m_islands, 30 * 10);
 }
 
 TEST(InnerSteps, SettingsOutOfRangeAreRefused)
