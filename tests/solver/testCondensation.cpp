@@ -121,4 +121,36 @@ TEST(Condensation, LooksFurtherWhereRowsOutsideReachABound)
 	for (size_t i = 0; i < whole.m_velocity.size(); ++i)
 		ASSERT_NEAR(whole.m_velocity[i], inPlace.m_velocity[i], 1e-6) << i;
 }
+
+TEST(Condensation, OtherCompliancesAreCondensedAnew)
+{
+	// As recovery does: the same problem once more with joints ten times as stiff, and back.
+	const int columns = 30, rows = 30, pushed = 15 * columns + 14;
+	const SystemInput soft = grid(columns, rows, pushed, 2);
+	SystemInput input = soft;
+	btElasticPlasticStatistics statistics;
+	System system(statistics);
+	btElasticPlasticSolverSettings settings;
+	settings.m_condenses = true;
+	settings.m_maxIterations = 0;
+	system.setSettings(settings);
+	int islandId = 0;
+	ASSERT_TRUE(system.solve(input, islandId, System::EXACT));
+	for (const double share : {0.1, 1.})
+	{
+		SCOPED_TRACE(share);
+		for (size_t r = 0; r < input.m_rows.size(); ++r)
+			input.m_rows[r].m_compliance = share * soft.m_rows[r].m_compliance;
+		system.forgetMatrix();
+		ASSERT_TRUE(system.solveAgain(input, System::EXACT));
+		const Solved whole(input, false);
+		double largest = 0;
+		for (const double v : whole.m_velocity)
+			largest = std::max(largest, fabs(v));
+		EXPECT_GT(largest, 0.1);
+		// As in AgreesWithTheWhole.
+		for (size_t i = 0; i < whole.m_velocity.size(); ++i)
+			ASSERT_NEAR(whole.m_velocity[i], system.getResult().m_velocity[i], 1e-9 * largest) << i;
+	}
+}
 }  // namespace

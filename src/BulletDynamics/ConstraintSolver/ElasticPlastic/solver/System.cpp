@@ -96,6 +96,14 @@ void System::beginStep(bool isOneOfMany)
 
 void System::forgetMatrix()
 {
+	forgetFactor();
+	// What is condensed has the compliances of before.
+	if (m_place)
+		m_place->m_condensation.clear();
+}
+
+void System::forgetFactor()
+{
 	m_matrixIsCurrent = false;
 	m_linearSolver.forgetFactor();
 }
@@ -260,7 +268,7 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 	}
 	const bool isNear = m_interior.solve(input, m_contacts, m_matrix, m_linearSolver, m_velocity,
 										 m_settings.m_maxInteriorIterations, m_settings.m_maxWork > 0 ? m_workEnd : 0);
-	forgetMatrix();
+	forgetFactor();
 	if (isNear)
 	{
 		m_interiorHasSolved = true;
@@ -324,7 +332,7 @@ bool System::search(SystemInput& input, Effort effort)
 		const AugmentedContacts::Progress progress =
 			m_contacts.tighten(input, m_admissible, loop, m_settings.m_contactTolerance);
 		if (progress.m_hasChangedMatrix)
-			forgetMatrix();
+			forgetFactor();
 		return progress.m_isOpen;
 	};
 	if (isLarge(input))
@@ -502,7 +510,7 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 	condensation.clear();
 	m_admissible.setResult(held.m_impulses, held.m_bounds);
 	m_contacts.begin(input, m_admissible);
-	forgetMatrix();
+	forgetFactor();
 	return ELSEWHERE;
 }
 
@@ -566,7 +574,7 @@ void System::settle(const SystemInput& input, std::vector<double> impulses)
 bool System::solveAgain(SystemInput& input, Effort effort)
 {
 	if (m_contacts.hasHardened())
-		forgetMatrix();
+		forgetFactor();
 	m_impulsesBefore = m_admissible.getImpulses();
 	return search(input, effort);
 }

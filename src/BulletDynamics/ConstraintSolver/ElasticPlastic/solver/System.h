@@ -106,6 +106,7 @@ public:
 	const signed char* getBounds(int row) const { return m_admissible.getBounds(row); }
 
 private:
+	void forgetFactor();
 	bool search(SystemInput& input, Effort effort);
 	bool isLarge(const SystemInput& input) const;
 	enum Found
