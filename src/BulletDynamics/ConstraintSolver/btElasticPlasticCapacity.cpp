@@ -91,7 +91,10 @@ void btElasticPlasticCapacity::scaleYield(btScalar factor)
 
 bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) const
 {
-	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length;
+	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length &&
+				  m_fibres.size() == other.m_fibres.size();
+	for (int i = 0; isSame && i < m_fibres.size(); ++i)
+		isSame = m_fibres[i].isSameAs(other.m_fibres[i]);
 	for (int i = 0; i < 2; ++i)
 		isSame &= m_coupling[i] == other.m_coupling[i];
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)

@@ -15,9 +15,18 @@ struct btElasticPlasticFibre
 	btScalar m_stiffness = 0;   ///< [N/m], finite, at least btElasticPlasticCapacity::leastStiffness()
 	btScalar m_tension =
 		0;  ///< force at which it flows when it is stretched [N], finite, >= 0; 0: it opens, and closes again
-	btScalar m_compression = 0;                          ///< the same when it is pressed [N]; not both 0
-	btScalar m_stretchLimit = btScalar(BT_LARGE_FLOAT);  ///< plastic elongation at which it ruptures [m], > 0
-	btScalar m_crushLimit = btScalar(BT_LARGE_FLOAT);    ///< plastic shortening at which it is crushed [m], > 0
+	btScalar m_compression = 0;  ///< the same when it is pressed [N]; not both 0
+	/// Plastic elongation at which it ruptures [m], > 0. If it is weaker in tension than in compression it cracks there: it opens
+	/// without a force and bears again where it closes. A joint all of whose fibres gape wider than this is broken.
+	btScalar m_stretchLimit = btScalar(BT_LARGE_FLOAT);
+	btScalar m_crushLimit = btScalar(BT_LARGE_FLOAT);  ///< plastic shortening at which it is crushed [m], > 0
+
+	bool isSameAs(const btElasticPlasticFibre& other) const
+	{
+		return m_y == other.m_y && m_z == other.m_z && m_stiffness == other.m_stiffness &&
+			   m_tension == other.m_tension && m_compression == other.m_compression &&
+			   m_stretchLimit == other.m_stretchLimit && m_crushLimit == other.m_crushLimit;
+	}
 };
 
 /// What a fibre remembers from step to step.
@@ -28,6 +37,8 @@ struct btElasticPlasticFibreState
 	btScalar m_offset = 0;     ///< plastic elongation beside what the joint's plastic deformation gives its place [m]
 	btScalar m_damage =
 		0;  ///< share of its ductility that is spent, by the sum of both directions; from 1 on it bears nothing
+	/// Torn by tension, and weaker in tension than in compression: it opens without a force now, and bears where it has closed.
+	bool m_isCracked = false;
 
 	bool isRuptured() const { return m_damage >= 1; }
 };

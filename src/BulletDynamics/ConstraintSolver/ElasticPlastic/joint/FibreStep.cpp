@@ -119,7 +119,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], btScalar diagonal,
 		JointRows::Fibre& row = m_rows[i];
 		row.m_soft = implicitRow(s, scheme, dt);
 		row.m_soft.m_lower = holds ? dt * (known - scheme.m_alpha * fibre.m_compression) : btScalar(0);
-		row.m_soft.m_upper = holds ? dt * (known + scheme.m_alpha * fibre.m_tension) : btScalar(0);
+		row.m_soft.m_upper = holds ? dt * (known + scheme.m_alpha * m_model.tensionOf(i)) : btScalar(0);
 		row.m_y = fibre.m_y;
 		row.m_z = fibre.m_z;
 		row.m_bound = m_solution[i].m_bound;
@@ -193,7 +193,7 @@ void FibreStep::mapAlone(const btScalar trial[BT_EP_DOF_COUNT])
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 		const double elongation = stateOf(i, trial).m_strain, force = elongation * double(fibre.m_stiffness);
 		const int bound = m_solution[i].m_bound;
-		const double clamped = btMax(-double(fibre.m_compression), btMin(double(fibre.m_tension), force));
+		const double clamped = btMax(-double(fibre.m_compression), btMin(double(m_model.tensionOf(i)), force));
 		const bool flows = clamped != force && (force > 0 ? bound > 0 : bound < 0);
 		m_mapped[i] = {clamped, flows ? elongation - clamped / double(fibre.m_stiffness) : 0, 0};
 	}
@@ -209,7 +209,7 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 		CoupledBundle::Fibre& spring = m_bundle.m_fibres[size_t(i)];
 		spring.m_compliance = 1 / double(fibre.m_stiffness);
 		spring.m_lower = holds ? -double(fibre.m_compression) : 0;
-		spring.m_upper = holds ? double(fibre.m_tension) : 0;
+		spring.m_upper = holds ? double(m_model.tensionOf(i)) : 0;
 		spring.m_target = stateOf(i, trial).m_strain;
 		spring.m_bound = m_solution[i].m_bound;
 		for (int s = 0; s < 2; ++s)
@@ -271,7 +271,7 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 			beyond -= couplingOf(i, s) * shear[s];
 			turned[s] += couplingOf(i, s) * force;
 		}
-		const bool opens = fibre.m_tension == 0 && beyond > 0;
+		const bool opens = m_model.tensionOf(i) == 0 && beyond > 0;
 		m_mapped[i] = {force, opens ? beyond : 0, opens ? 0 : beyond};
 	}
 	outcome.m_isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
@@ -287,8 +287,26 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 	}
 }
 
+/// A fibre's flow: what it dissipates and what it spends of the ductility. Nothing flows that the ductility does not allow.
+void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+	const double spent = fabs(increment) / double(increment > 0 ? fibre.m_stretchLimit : fibre.m_crushLimit),
+				 left = 1 - double(state.m_damage);
+	outcome.m_flowed = true;
+	outcome.m_plasticEnergy += fabs(force * increment) * (spent > left ? left / spent : 1);
+	state.m_offset += btScalar(increment);
+	// Rounded up, as a joint's is. More than 1 tells nothing.
+	state.m_damage = btScalar(spent * (1 + double(SIMD_EPSILON)) < left ? double(state.m_damage) + spent : 1);
+	if (!state.isRuptured() || increment < 0 || !(fibre.m_tension < fibre.m_compression))
+		return;
+	state.m_isCracked = true;
+	state.m_damage = 0;
+}
+
 /// Gives fibres their next state but for the mean of their offsets.
-void FibreStep::takeStates(Outcome& outcome)
+void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome)
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
 	double sum[3] = {};
@@ -296,22 +314,23 @@ void FibreStep::takeStates(Outcome& outcome)
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
 		btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+		// What is ruptured follows: else the turn of a section of which one line of fibres is left would grow for ever.
 		if (state.isRuptured())
-			continue;
-		Mapped& mapped = m_mapped[i];
-		// A crack opens without a force, and closes where it has opened.
-		const bool opens = mapped.m_increment > 0 && fibre.m_tension == 0;
-		if (mapped.m_increment != 0 && !opens)
 		{
-			outcome.m_flowed = true;
-			outcome.m_plasticEnergy += fabs(mapped.m_force * mapped.m_increment);
-			state.m_offset += btScalar(mapped.m_increment);
-			state.m_damage += btScalar(fabs(mapped.m_increment)) /
-							  (mapped.m_increment > 0 ? fibre.m_stretchLimit : fibre.m_crushLimit);
+			state.m_offset += stateOf(i, trial).m_strain;
+			outcome.m_hasMoved = true;
+			continue;
 		}
+		const Mapped& mapped = m_mapped[i];
+		// A crack opens without a force, and closes where it has opened.
+		const bool opens = isOpen(i);
+		if (mapped.m_increment != 0 && !opens)
+			flow(i, mapped.m_force, mapped.m_increment, outcome);
+		outcome.m_hasMoved |= mapped.m_increment != 0;
 		state.m_offset += btScalar(opens ? 0 : mapped.m_unloaded);
-		const double force = state.isRuptured() ? 0 : mapped.m_force;
-		state.m_forceRate = state.isRuptured() ? btScalar(0) : (btScalar(force) - state.m_force) / m_dt;
+		const bool holds = !state.isRuptured() && !(state.m_isCracked && mapped.m_force > 0);
+		const double force = holds ? mapped.m_force : 0;
+		state.m_forceRate = holds ? (btScalar(force) - state.m_force) / m_dt : btScalar(0);
 		state.m_force = btScalar(force);
 		sum[0] += force;
 		sum[1] += double(fibre.m_z) * force;
@@ -321,7 +340,20 @@ void FibreStep::takeStates(Outcome& outcome)
 		outcome.m_force[k] = btScalar(sum[k]);
 }
 
-/// Takes the mean of the fibres' offsets out of them: the plane that is nearest to them, weighed by stiffness.
+/// Ruptures what is left of a section that gapes wider throughout than its fibres stretch.
+void FibreStep::tearApart(Outcome& outcome)
+{
+	for (int i = 0; i < m_rows.size(); ++i)
+		if (!m_model.m_state.m_fibres[i].isRuptured() &&
+			!(isOpen(i) && m_mapped[i].m_increment > double(m_model.m_capacity.m_fibres[i].m_stretchLimit)))
+			return;
+	for (int i = 0; i < m_rows.size(); ++i)
+		m_model.m_state.m_fibres[i].m_damage = 1;
+	outcome.m_flowed = true;
+}
+
+/// Takes the mean of the fibres' offsets out of them: the plane that is nearest to them, weighed by stiffness. An open crack counts with its
+/// gap, so that the elastic turn stays small however wide it gapes on one side; its own offset keeps the place where it closes.
 void FibreStep::takeMean(btScalar mean[3])
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
@@ -330,12 +362,13 @@ void FibreStep::takeMean(btScalar mean[3])
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
 		const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
-		const bool isOpen = fibre.m_tension == 0 && m_mapped[i].m_increment > 0;
-		const double weight = double(fibre.m_stiffness) * (state.isRuptured() || isOpen ? WEIGHT_OF_IDLE : 1);
+		const bool opens = !state.isRuptured() && isOpen(i);
+		const double weight = double(fibre.m_stiffness) * (state.isRuptured() || opens ? WEIGHT_OF_IDLE : 1),
+					 offset = double(state.m_offset) + (opens ? m_mapped[i].m_increment : 0);
 		const double g[3] = {1, double(fibre.m_z), -double(fibre.m_y)};
 		for (int k = 0; k < 3; ++k)
 		{
-			right[k] += weight * g[k] * double(state.m_offset);
+			right[k] += weight * g[k] * offset;
 			for (int l = 0; l < 3; ++l)
 				matrix[k][l] += weight * g[k] * g[l];
 		}
@@ -362,8 +395,9 @@ FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], cons
 		mapCoupled(trial, shears, outcome);
 	else
 		mapAlone(trial);
-	takeStates(outcome);
-	if (outcome.m_flowed || isCut)
+	takeStates(trial, outcome);
+	tearApart(outcome);
+	if (outcome.m_hasMoved || isCut)
 		takeMean(outcome.m_increment);
 	const int dofs[3] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};
 	for (int k = 0; k < 3; ++k)

@@ -40,6 +40,7 @@ public:
 		btScalar m_increment[3] = {};  ///< of the joint's plastic deformation: elongation, turns about y and z
 		double m_plasticEnergy = 0;
 		bool m_flowed = false;
+		bool m_hasMoved = false;   ///< an offset has changed
 		bool m_isCoupled = false;  ///< whether the shears' mapping follows from the fibres' one, as given here
 		ReturnMapping m_shear[2];
 	};
@@ -74,7 +75,10 @@ private:
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
 	void mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
 	void mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
-	void takeStates(Outcome& outcome);
+	bool isOpen(int fibre) const { return m_mapped[fibre].m_increment > 0 && m_model.tensionOf(fibre) == 0; }
+	void flow(int fibre, double force, double increment, Outcome& outcome);
+	void takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
+	void tearApart(Outcome& outcome);
 	void takeMean(btScalar mean[3]);
 
 	JointModel& m_model;

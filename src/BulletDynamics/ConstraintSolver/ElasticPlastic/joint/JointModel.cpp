@@ -311,9 +311,15 @@ void JointModel::followFibres()
 		btElasticPlasticFibreState& state = m_state.m_fibres[i];
 		const btScalar force = fibre.m_stiffness * (m_state.m_fibreStrain[0] + fibre.m_z * m_state.m_fibreStrain[1] -
 													fibre.m_y * m_state.m_fibreStrain[2]);
-		state.m_force = state.isRuptured() ? btScalar(0) : btMax(-fibre.m_compression, btMin(fibre.m_tension, force));
+		state.m_force = state.isRuptured() ? btScalar(0) : btMax(-fibre.m_compression, btMin(tensionOf(i), force));
 		state.m_forceRate = state.m_offset = 0;
 	}
+}
+
+void JointModel::wearFibres(btScalar damage)
+{
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+		m_state.m_fibres[i].m_damage += damage;
 }
 
 /// Fibres that stay keep their forces, new ones take theirs from the joint.
@@ -360,7 +366,7 @@ btScalar JointModel::fibreUtilisation() const
 		if (state.isRuptured())
 			continue;
 		force += btFabs(state.m_force);
-		strength += state.m_force > 0 ? fibre.m_tension : fibre.m_compression;
+		strength += state.m_force > 0 ? tensionOf(i) : fibre.m_compression;
 	}
 	return strength > 0 ? force / strength : btScalar(0);
 }

@@ -105,8 +105,17 @@ struct JointModel
 	/// Whether fibres stand for the axial force and the bending moments, for a solver that knows them.
 	bool usesFibres() const { return m_capacity.hasFibres() && !m_isPaper && !m_fault; }
 
+	/// A fibre's strength in tension as it is now [N].
+	btScalar tensionOf(int fibre) const
+	{
+		return m_state.m_fibres[fibre].m_isCracked ? btScalar(0) : m_capacity.m_fibres[fibre].m_tension;
+	}
+
 	/// Sets the fibres' state from the joint's forces, where a solver has not known them.
 	void followFibres();
+
+	/// Spends a share of the ductility of all fibres, by flow under a solver that has not known them.
+	void wearFibres(btScalar damage);
 
 private:
 	RelativeRotation relativeRotation() const;

@@ -485,8 +485,15 @@ int JointStep::commit()
 	state.m_work = work;
 	revert();
 	m_model.moveReference(unloaded);
-	if (!m_usesFibres)
+	if (!m_usesFibres && m_model.usesFibres())
+	{
+		btScalar damage = 0;
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			if (btElasticPlasticCapacity::isOfFibres(i))
+				damage += btFabs(increment[i]) / m_model.m_capacity.m_ductility[i];
+		m_model.wearFibres(damage);
 		m_model.followFibres();
+	}
 	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
 		m_model.turnReference(increment);
 	if (!flowed)

@@ -52,6 +52,7 @@ void transfer(Archive& archive, btElasticPlasticFibreState& state)
 {
 	for (btScalar* number : {&state.m_force, &state.m_forceRate, &state.m_offset, &state.m_damage})
 		archive(*number);
+	archive(state.m_isCracked);
 }
 
 template <class Archive>
