@@ -64,7 +64,10 @@ void btElasticPlasticCapacity::set(int dof, btScalar stiffness, btScalar yield, 
 	if (coupledWith(dof) >= 0)
 		m_coupling[planeOf(dof)] = 0;
 	if (isOfFibres(dof))
+	{
 		m_fibres.clear();
+		m_curvePoints.clear();
+	}
 }
 
 void btElasticPlasticCapacity::setRigidPlastic(int dof, btScalar yield, btScalar ductility)
@@ -93,8 +96,11 @@ bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) c
 {
 	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length &&
 				  m_fibres.size() == other.m_fibres.size();
+	isSame &= m_curvePoints.size() == other.m_curvePoints.size();
 	for (int i = 0; isSame && i < m_fibres.size(); ++i)
 		isSame = m_fibres[i].isSameAs(other.m_fibres[i]);
+	for (int i = 0; isSame && i < m_curvePoints.size(); ++i)
+		isSame = m_curvePoints[i].isSameAs(other.m_curvePoints[i]);
 	for (int i = 0; i < 2; ++i)
 		isSame &= m_coupling[i] == other.m_coupling[i];
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -174,6 +180,27 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckPositive("shortening at which a fibre is crushed [m]", fibre.m_crushLimit))
 			return f;
+		if (btElasticPlasticFault f = faultOfCurve(fibre))
+			return f;
+	}
+	return btElasticPlasticFault();
+}
+
+btElasticPlasticFault btElasticPlasticCapacity::faultOfCurve(const btElasticPlasticFibre& fibre) const
+{
+	if (fibre.m_numPoints < 0 || fibre.m_numPoints > m_curvePoints.size() || fibre.m_firstPoint < 0 ||
+		fibre.m_firstPoint > m_curvePoints.size() - fibre.m_numPoints)
+		return btElasticPlasticFault("point of a fibre's curve", btScalar(fibre.m_firstPoint), "one of m_curvePoints");
+	btScalar before = 0;
+	for (int i = fibre.m_firstPoint; i < fibre.m_firstPoint + fibre.m_numPoints; ++i)
+	{
+		const btElasticPlasticCurvePoint& point = m_curvePoints[i];
+		if (btElasticPlasticFault f = btElasticPlasticCheckPositive("factor of a fibre's strength", point.m_factor))
+			return f;
+		if (!btElasticPlasticIsFinite(double(point.m_path)) || !(point.m_path > before))
+			return btElasticPlasticFault("plastic path on a fibre's curve [m]", point.m_path,
+										 "finite and more than at the point before");
+		before = point.m_path;
 	}
 	return btElasticPlasticFault();
 }

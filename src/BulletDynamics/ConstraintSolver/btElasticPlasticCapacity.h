@@ -42,6 +42,7 @@ struct btElasticPlasticCapacity
 	/// be by itself. None: they yield independently. They are for the direct form of btElasticPlasticConstraintSolver; others take the
 	/// independent yield values.
 	btAlignedObjectArray<btElasticPlasticFibre> m_fibres;
+	btAlignedObjectArray<btElasticPlasticCurvePoint> m_curvePoints;  ///< of fibres whose strength changes as they flow
 	btElasticPlasticFault m_fault;  ///< of the material, section or length it was made from
 
 	/// Nothing is elastic-plastic, ductility unlimited.
@@ -69,6 +70,8 @@ struct btElasticPlasticCapacity
 	/// Whether a degree of freedom is one of those that fibres make up: axial force and the two bendings.
 	static bool isOfFibres(int dof) { return dof == BT_EP_AXIAL || dof == BT_EP_BENDING_Y || dof == BT_EP_BENDING_Z; }
 	bool hasFibres() const { return m_fibres.size() > 0; }
+	/// A fibre's strength over that of one that has not flowed, after a plastic path [m].
+	btScalar strengthFactor(const btElasticPlasticFibre& fibre, btScalar path) const;
 	bool isRigidPlastic(int dof) const { return isElasticPlastic(dof) && (m_rigidPlastic >> dof & 1u); }
 
 	/// The degree of freedom that one may be coupled with, -1: none.
@@ -133,6 +136,7 @@ struct btElasticPlasticCapacity
 
 private:
 	btElasticPlasticFault faultOfFibres() const;
+	btElasticPlasticFault faultOfCurve(const btElasticPlasticFibre& fibre) const;
 };
 
 #endif  // BT_ELASTIC_PLASTIC_CAPACITY_H

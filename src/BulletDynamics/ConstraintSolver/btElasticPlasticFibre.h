@@ -20,12 +20,28 @@ struct btElasticPlasticFibre
 	/// without a force and bears again where it closes. A joint all of whose fibres gape wider than this is broken.
 	btScalar m_stretchLimit = btScalar(BT_LARGE_FLOAT);
 	btScalar m_crushLimit = btScalar(BT_LARGE_FLOAT);  ///< plastic shortening at which it is crushed [m], > 0
+	/// How its strength changes as it flows to and fro, points m_firstPoint to m_firstPoint + m_numPoints - 1 of
+	/// btElasticPlasticCapacity::m_curvePoints; none: it stays.
+	int m_firstPoint = 0, m_numPoints = 0;
 
 	bool isSameAs(const btElasticPlasticFibre& other) const
 	{
 		return m_y == other.m_y && m_z == other.m_z && m_stiffness == other.m_stiffness &&
 			   m_tension == other.m_tension && m_compression == other.m_compression &&
-			   m_stretchLimit == other.m_stretchLimit && m_crushLimit == other.m_crushLimit;
+			   m_stretchLimit == other.m_stretchLimit && m_crushLimit == other.m_crushLimit &&
+			   m_firstPoint == other.m_firstPoint && m_numPoints == other.m_numPoints;
+	}
+};
+
+/// A point of a fibre's strength over its plastic path. Between points it is linear, from 1 at the path 0 on; beyond the last it stays.
+struct btElasticPlasticCurvePoint
+{
+	btScalar m_path;    ///< sum of plastic elongations and shortenings [m], > 0, more than the point before
+	btScalar m_factor;  ///< strength over that of a fibre that has not flowed, > 0
+
+	bool isSameAs(const btElasticPlasticCurvePoint& other) const
+	{
+		return m_path == other.m_path && m_factor == other.m_factor;
 	}
 };
 
@@ -37,6 +53,7 @@ struct btElasticPlasticFibreState
 	btScalar m_offset = 0;     ///< plastic elongation beside what the joint's plastic deformation gives its place [m]
 	btScalar m_damage =
 		0;  ///< share of its ductility that is spent, by the sum of both directions; from 1 on it bears nothing
+	btScalar m_path = 0;  ///< sum of its plastic elongations and shortenings [m]
 	/// Torn by tension, and weaker in tension than in compression: it opens without a force now, and bears where it has closed.
 	bool m_isCracked = false;
 

@@ -3,6 +3,36 @@
 
 #include "btElasticPlasticMaterial.h"
 
+namespace
+{
+btElasticPlasticFault faultOfHardening(const btElasticPlasticMaterial& material)
+{
+	const btScalar share = material.m_kinematicShare;
+	if (!(share >= 0 && share <= 1))
+		return btElasticPlasticFault("kinematic share of hardening", share, "0 to 1");
+	double strain = 0, stress = material.m_yieldStress, slope = 0;
+	for (int i = 0; i < material.m_hardening.size(); ++i)
+	{
+		const btElasticPlasticHardeningPoint& point = material.m_hardening[i];
+		if (btElasticPlasticFault f = btElasticPlasticCheckPositive("stress of hardening [Pa]", point.m_stress))
+			return f;
+		if (!btElasticPlasticIsFinite(double(point.m_strain)) || !(point.m_strain > strain))
+			return btElasticPlasticFault("plastic strain of hardening", point.m_strain,
+										 "finite and more than at the point before");
+		const double own = (double(point.m_stress) - stress) / (double(point.m_strain) - strain);
+		// Of a straight line given in float.
+		const double rounding = 1e-4 * slope;
+		if (share > 0 && (!(own >= 0) || (i > 0 && own > slope + rounding)))
+			return btElasticPlasticFault("slope of kinematic hardening [Pa]", btScalar(own),
+										 "not negative, and not more than before (or m_kinematicShare 0)");
+		strain = point.m_strain;
+		stress = point.m_stress;
+		slope = own;
+	}
+	return btElasticPlasticFault();
+}
+}  // namespace
+
 btElasticPlasticFault btElasticPlasticMaterial::fault() const
 {
 	if (btElasticPlasticFault f = btElasticPlasticCheckPositive("Young's modulus [Pa]", m_youngsModulus))
@@ -23,7 +53,7 @@ btElasticPlasticFault btElasticPlasticMaterial::fault() const
 	if (!(btElasticPlasticIsFinite(m_loadBearingShare) && m_loadBearingShare > 0 && m_loadBearingShare <= 1))
 		return btElasticPlasticFault("load-bearing share of the section", m_loadBearingShare,
 									 "greater than 0 and at most 1");
-	return btElasticPlasticFault();
+	return faultOfHardening(*this);
 }
 
 btElasticPlasticMaterial btElasticPlasticMaterial::steel(btScalar yieldStress)

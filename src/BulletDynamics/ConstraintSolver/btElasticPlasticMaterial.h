@@ -4,6 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_MATERIAL_H
 #define BT_ELASTIC_PLASTIC_MATERIAL_H
 
+#include "LinearMath/btAlignedObjectArray.h"
 #include "btElasticPlasticFault.h"
 
 /// How the yield stress in shear follows from the one in tension.
@@ -13,7 +14,14 @@ enum btElasticPlasticShearYield
 	BT_EP_VON_MISES  ///< f_y / sqrt(3)
 };
 
-/// An isotropic, elastic-perfectly plastic material. SI units.
+/// A point of a material's curve of hardening.
+struct btElasticPlasticHardeningPoint
+{
+	btScalar m_strain;  ///< plastic, > 0, more than at the point before
+	btScalar m_stress;  ///< [Pa], > 0
+};
+
+/// An isotropic, elastic-plastic material, perfectly plastic unless it has a curve of hardening. SI units.
 struct btElasticPlasticMaterial
 {
 	btScalar m_youngsModulus = btScalar(200e9);  ///< E [Pa], > 0
@@ -26,6 +34,13 @@ struct btElasticPlasticMaterial
 	/// fibres know it (btElasticPlasticSection::withFibres): independent degrees of freedom have f_y in both directions.
 	btScalar m_tensileShare = btScalar(1);
 	btScalar m_crushingStrain = 0;  ///< plastic strain at which fibres are crushed, > 0; 0: as when they tear
+	/// Stress over plastic strain in a test in one direction, linear between points, from f_y at 0 on; beyond the last point it stays. None:
+	/// f_y. Only fibres know it.
+	btAlignedObjectArray<btElasticPlasticHardeningPoint> m_hardening;
+	/// How much of the hardening is kinematic, 0 to 1: that part moves the range between yield in tension and in compression, so that what
+	/// was stretched yields the earlier when it is pressed (Bauschinger); the rest widens the range. Above 0 the curve must rise
+	/// from point to point, and less steeply from each to the next.
+	btScalar m_kinematicShare = 1;
 	btScalar m_loadBearingShare = btScalar(1);  ///< part of the section that carries load, > 0 and <= 1
 	btElasticPlasticShearYield m_shearYield = BT_EP_TRESCA;
 

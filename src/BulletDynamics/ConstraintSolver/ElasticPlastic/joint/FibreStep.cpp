@@ -97,13 +97,31 @@ void FibreStep::findCoupledRows(const JointRows& rows)
 	}
 }
 
-void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], btScalar diagonal, btScalar dt, JointRows& rows)
+/// The strength that a fibre has in the middle of what it may flow in the step by its rate: then force times flow is its work but for the
+/// square of the step.
+JointModel::FibreStrength FibreStep::strengthInStep(int i, const DofState& s,
+													const btScalar rate[BT_EP_DOF_COUNT]) const
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	const JointModel::FibreStrength now = m_model.strengthOf(i);
+	if (fibre.m_numPoints == 0)
+		return now;
+	const btScalar elongation = s.m_strain + m_dt * (rate[BT_EP_AXIAL] + fibre.m_z * rate[BT_EP_BENDING_Y] -
+													 fibre.m_y * rate[BT_EP_BENDING_Z]),
+				   force = fibre.m_stiffness * elongation,
+				   beyond = btMax(force - now.m_tension, -force - now.m_compression);
+	return beyond > 0 ? m_model.strengthOf(i, beyond / fibre.m_stiffness / 2) : now;
+}
+
+void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const btScalar rate[BT_EP_DOF_COUNT], btScalar diagonal,
+					  btScalar dt, JointRows& rows)
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
 	const int n = capacity.m_fibres.size();
 	m_dt = dt;
 	m_rows.resize(n);
 	m_solution.resize(n, {0, 0});
+	m_strength.resize(n);
 	findCoupledRows(rows);
 	btScalar a = capacity.m_stiffness[BT_EP_AXIAL] * diagonal;
 	for (int shear = 0; shear < 2; ++shear)
@@ -116,10 +134,11 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], btScalar diagonal,
 		const DofState s = stateOf(i, strain);
 		const btScalar known = scheme.known(s, dt);
 		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
+		m_strength[i] = strengthInStep(i, s, rate);
 		JointRows::Fibre& row = m_rows[i];
 		row.m_soft = implicitRow(s, scheme, dt);
-		row.m_soft.m_lower = holds ? dt * (known - scheme.m_alpha * fibre.m_compression) : btScalar(0);
-		row.m_soft.m_upper = holds ? dt * (known + scheme.m_alpha * m_model.tensionOf(i)) : btScalar(0);
+		row.m_soft.m_lower = holds ? dt * (known - scheme.m_alpha * m_strength[i].m_compression) : btScalar(0);
+		row.m_soft.m_upper = holds ? dt * (known + scheme.m_alpha * m_strength[i].m_tension) : btScalar(0);
 		row.m_y = fibre.m_y;
 		row.m_z = fibre.m_z;
 		row.m_bound = m_solution[i].m_bound;
@@ -193,7 +212,8 @@ void FibreStep::mapAlone(const btScalar trial[BT_EP_DOF_COUNT])
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 		const double elongation = stateOf(i, trial).m_strain, force = elongation * double(fibre.m_stiffness);
 		const int bound = m_solution[i].m_bound;
-		const double clamped = btMax(-double(fibre.m_compression), btMin(double(m_model.tensionOf(i)), force));
+		const double clamped =
+			btMax(-double(m_strength[i].m_compression), btMin(double(m_strength[i].m_tension), force));
 		const bool flows = clamped != force && (force > 0 ? bound > 0 : bound < 0);
 		m_mapped[i] = {clamped, flows ? elongation - clamped / double(fibre.m_stiffness) : 0, 0};
 	}
@@ -208,8 +228,8 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
 		CoupledBundle::Fibre& spring = m_bundle.m_fibres[size_t(i)];
 		spring.m_compliance = 1 / double(fibre.m_stiffness);
-		spring.m_lower = holds ? -double(fibre.m_compression) : 0;
-		spring.m_upper = holds ? double(m_model.tensionOf(i)) : 0;
+		spring.m_lower = holds ? -double(m_strength[i].m_compression) : 0;
+		spring.m_upper = holds ? double(m_strength[i].m_tension) : 0;
 		spring.m_target = stateOf(i, trial).m_strain;
 		spring.m_bound = m_solution[i].m_bound;
 		for (int s = 0; s < 2; ++s)
@@ -271,7 +291,7 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 			beyond -= couplingOf(i, s) * shear[s];
 			turned[s] += couplingOf(i, s) * force;
 		}
-		const bool opens = m_model.tensionOf(i) == 0 && beyond > 0;
+		const bool opens = m_strength[i].m_tension == 0 && beyond > 0;
 		m_mapped[i] = {force, opens ? beyond : 0, opens ? 0 : beyond};
 	}
 	outcome.m_isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
@@ -297,6 +317,7 @@ void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
 	outcome.m_flowed = true;
 	outcome.m_plasticEnergy += fabs(force * increment) * (spent > left ? left / spent : 1);
 	state.m_offset += btScalar(increment);
+	state.m_path += btScalar(fabs(increment));
 	// Rounded up, as a joint's is. More than 1 tells nothing.
 	state.m_damage = btScalar(spent * (1 + double(SIMD_EPSILON)) < left ? double(state.m_damage) + spent : 1);
 	if (!state.isRuptured() || increment < 0 || !(fibre.m_tension < fibre.m_compression))

@@ -26,9 +26,11 @@ public:
 
 	/// Makes the fibres' rows, and couples them with those of the shears.
 	/// \param strain    of the joint's six degrees of freedom, as the step meets it
+	/// \param rate      at which it grows
 	/// \param diagonal  A of the axial row
 	/// \param rows      with the rows of the other degrees of freedom; gets the fibres
-	void begin(const btScalar strain[BT_EP_DOF_COUNT], btScalar diagonal, btScalar dt, JointRows& rows);
+	void begin(const btScalar strain[BT_EP_DOF_COUNT], const btScalar rate[BT_EP_DOF_COUNT], btScalar diagonal,
+			   btScalar dt, JointRows& rows);
 
 	/// What the solver has made of the fibres' rows. \param resultant  gets N, M_y and M_z over the step, as impulses
 	void setSolution(const double* impulses, const signed char* bounds, btScalar resultant[3]);
@@ -75,7 +77,12 @@ private:
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
 	void mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
 	void mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
-	bool isOpen(int fibre) const { return m_mapped[fibre].m_increment > 0 && m_model.tensionOf(fibre) == 0; }
+	JointModel::FibreStrength strengthInStep(int fibre, const DofState& s, const btScalar rate[BT_EP_DOF_COUNT]) const;
+	bool isOpen(int fibre) const
+	{
+		return m_mapped[fibre].m_increment > 0 &&
+			   (m_strength[fibre].m_tension == 0 || m_model.m_state.m_fibres[fibre].m_isCracked);
+	}
 	void flow(int fibre, double force, double increment, Outcome& outcome);
 	void takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
 	void tearApart(Outcome& outcome);
@@ -85,6 +92,7 @@ private:
 	btScalar m_dt = 0;
 	int m_shearRow[2] = {-1, -1};  ///< of the joint's rows that are coupled with the fibres, -1: none
 	btAlignedObjectArray<JointRows::Fibre> m_rows;
+	btAlignedObjectArray<JointModel::FibreStrength> m_strength;  ///< for the step
 	btAlignedObjectArray<Solution> m_solution;
 	btAlignedObjectArray<Mapped> m_mapped;
 	CoupledBundle m_bundle;

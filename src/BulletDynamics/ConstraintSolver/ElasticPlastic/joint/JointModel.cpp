@@ -141,7 +141,7 @@ btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 	{
 		const btElasticPlasticFibreState& fibre = state.m_fibres[i];
-		for (const btScalar value : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage})
+		for (const btScalar value : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage, fibre.m_path})
 			if (!btElasticPlasticIsFinite(double(value)))
 				return btElasticPlasticFault("a number of one of the state's fibres", value, "finite");
 	}
@@ -187,11 +187,16 @@ btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& st
 	{
 		const btElasticPlasticFibreState& own = state.m_fibres[i];
 		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
-		if (own.m_force > fibre.m_tension * ROUNDED || -own.m_force > fibre.m_compression * ROUNDED)
+		btScalar factor = ROUNDED;
+		for (int j = 0; j < fibre.m_numPoints; ++j)
+			btSetMax(factor, m_capacity.m_curvePoints[fibre.m_firstPoint + j].m_factor * ROUNDED);
+		if (own.m_force > fibre.m_tension * factor || -own.m_force > fibre.m_compression * factor)
 			return btElasticPlasticFault("force of one of the state's fibres [N]", own.m_force,
 										 "within the fibre's tension and compression");
 		if (own.m_damage < 0)
 			return btElasticPlasticFault("damage of one of the state's fibres", own.m_damage, "not negative");
+		if (own.m_path < 0)
+			return btElasticPlasticFault("plastic path of one of the state's fibres [m]", own.m_path, "not negative");
 	}
 	return btElasticPlasticFault();
 }
@@ -300,6 +305,22 @@ void JointModel::setReferenceToCurrentPose()
 
 // ---- fibres
 
+JointModel::FibreStrength JointModel::strengthOf(int fibre, btScalar morePath) const
+{
+	const btElasticPlasticFibre& own = m_capacity.m_fibres[fibre];
+	const btElasticPlasticFibreState& state = m_state.m_fibres[fibre];
+	FibreStrength strength = {own.m_tension, own.m_compression};
+	if (own.m_numPoints > 0)
+	{
+		const btScalar factor = m_capacity.strengthFactor(own, state.m_path + morePath);
+		strength.m_tension *= factor;
+		strength.m_compression *= factor;
+	}
+	if (state.m_isCracked)
+		strength.m_tension = 0;
+	return strength;
+}
+
 void JointModel::followFibres()
 {
 	const int dofs[3] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};
@@ -311,7 +332,9 @@ void JointModel::followFibres()
 		btElasticPlasticFibreState& state = m_state.m_fibres[i];
 		const btScalar force = fibre.m_stiffness * (m_state.m_fibreStrain[0] + fibre.m_z * m_state.m_fibreStrain[1] -
 													fibre.m_y * m_state.m_fibreStrain[2]);
-		state.m_force = state.isRuptured() ? btScalar(0) : btMax(-fibre.m_compression, btMin(tensionOf(i), force));
+		const FibreStrength strength = strengthOf(i);
+		state.m_force =
+			state.isRuptured() ? btScalar(0) : btMax(-strength.m_compression, btMin(strength.m_tension, force));
 		state.m_forceRate = state.m_offset = 0;
 	}
 }
@@ -361,12 +384,12 @@ btScalar JointModel::fibreUtilisation() const
 	btScalar force = 0, strength = 0;
 	for (int i = 0; i < m_state.m_fibres.size() && usesFibres(); ++i)
 	{
-		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
 		const btElasticPlasticFibreState& state = m_state.m_fibres[i];
 		if (state.isRuptured())
 			continue;
+		const FibreStrength own = strengthOf(i);
 		force += btFabs(state.m_force);
-		strength += state.m_force > 0 ? tensionOf(i) : fibre.m_compression;
+		strength += state.m_force > 0 ? own.m_tension : own.m_compression;
 	}
 	return strength > 0 ? force / strength : btScalar(0);
 }

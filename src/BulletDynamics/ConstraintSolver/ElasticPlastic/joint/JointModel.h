@@ -105,11 +105,12 @@ struct JointModel
 	/// Whether fibres stand for the axial force and the bending moments, for a solver that knows them.
 	bool usesFibres() const { return m_capacity.hasFibres() && !m_isPaper && !m_fault; }
 
-	/// A fibre's strength in tension as it is now [N].
-	btScalar tensionOf(int fibre) const
+	/// What a fibre bears in tension and in compression as it is now, and with so much more plastic path [N].
+	struct FibreStrength
 	{
-		return m_state.m_fibres[fibre].m_isCracked ? btScalar(0) : m_capacity.m_fibres[fibre].m_tension;
-	}
+		btScalar m_tension, m_compression;
+	};
+	FibreStrength strengthOf(int fibre, btScalar morePath = 0) const;
 
 	/// Sets the fibres' state from the joint's forces, where a solver has not known them.
 	void followFibres();

@@ -59,7 +59,8 @@ bool isStateFinite(const btElasticPlasticState& state)
 			   double(state.m_watched[dof]) + double(dof < 3 ? state.m_initial[dof] + state.m_fibreStrain[dof] : 0);
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 		sum += double(state.m_fibres[i].m_force) + double(state.m_fibres[i].m_forceRate) +
-			   double(state.m_fibres[i].m_offset) + double(state.m_fibres[i].m_damage);
+			   double(state.m_fibres[i].m_offset) + double(state.m_fibres[i].m_damage) +
+			   double(state.m_fibres[i].m_path);
 	return btElasticPlasticIsFinite(sum);
 }
 

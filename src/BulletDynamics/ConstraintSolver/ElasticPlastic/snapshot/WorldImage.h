@@ -50,7 +50,7 @@ void transfer(Archive& archive, ObjectImage& image)
 template <class Archive>
 void transfer(Archive& archive, btElasticPlasticFibreState& state)
 {
-	for (btScalar* number : {&state.m_force, &state.m_forceRate, &state.m_offset, &state.m_damage})
+	for (btScalar* number : {&state.m_force, &state.m_forceRate, &state.m_offset, &state.m_damage, &state.m_path})
 		archive(*number);
 	archive(state.m_isCracked);
 }
@@ -87,6 +87,15 @@ void transfer(Archive& archive, btElasticPlasticFibre& fibre)
 	for (btScalar* number : {&fibre.m_y, &fibre.m_z, &fibre.m_stiffness, &fibre.m_tension, &fibre.m_compression,
 							 &fibre.m_stretchLimit, &fibre.m_crushLimit})
 		archive(*number);
+	archive(fibre.m_firstPoint);
+	archive(fibre.m_numPoints);
+}
+
+template <class Archive>
+void transfer(Archive& archive, btElasticPlasticCurvePoint& point)
+{
+	archive(point.m_path);
+	archive(point.m_factor);
 }
 
 template <class Archive>
@@ -99,6 +108,7 @@ void transfer(Archive& archive, btElasticPlasticCapacity& capacity)
 	archive(capacity.m_length);
 	archive(capacity.m_rigidPlastic);
 	transferList(archive, capacity.m_fibres);
+	transferList(archive, capacity.m_curvePoints);
 }
 
 struct JointImage
