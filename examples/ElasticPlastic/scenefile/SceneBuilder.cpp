@@ -41,7 +41,20 @@ bool isLike(const std::string& name, const std::string& pattern)
 }
 }  // namespace
 
-std::vector<std::string> namesIn(const std::map<std::string, int>& names)
+std::vector<int> placesOf(const std::string& pattern, const Names& names)
+{
+	std::vector<int> found;
+	const auto exact = names.find(pattern);
+	if (exact != names.end())
+		found.push_back(exact->second);
+	else if (pattern.find('*') != std::string::npos)
+		for (const auto& [name, index] : names)
+			if (isLike(name, pattern))
+				found.push_back(index);
+	return found;
+}
+
+std::vector<std::string> namesIn(const Names& names)
 {
 	std::vector<std::string> all;
 	for (const auto& name : names)
@@ -105,14 +118,7 @@ int SceneBuilder::body(Fields& f, const char* key, const std::string& name)
 std::vector<int> SceneBuilder::like(Fields& f, const char* key, const std::string& pattern, const Names& names,
 									const char* what)
 {
-	std::vector<int> found;
-	const auto exact = names.find(pattern);
-	if (exact != names.end())
-		found.push_back(exact->second);
-	else if (pattern.find('*') != std::string::npos)
-		for (const auto& [name, index] : names)
-			if (isLike(name, pattern))
-				found.push_back(index);
+	const std::vector<int> found = placesOf(pattern, names);
 	if (found.empty())
 		f.refuse(key, std::string("is no ") + what + ": " + unknownName(pattern, namesIn(names)));
 	return found;

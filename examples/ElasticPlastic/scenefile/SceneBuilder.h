@@ -9,6 +9,12 @@
 
 namespace ep
 {
+/// Places in a list by names.
+typedef std::map<std::string, int> Names;
+
+/// That of a name, or those of all that are like a pattern, in which * stands for any letters.
+std::vector<int> placesOf(const std::string& pattern, const Names& names);
+
 /// A scene's description while it grows: what has a name is found by it.
 class SceneBuilder
 {
@@ -35,8 +41,6 @@ public:
 	bool hasRoom(Fields& f, double bodies);
 
 private:
-	typedef std::map<std::string, int> Names;
-
 	std::vector<int> like(Fields& f, const char* key, const std::string& pattern, const Names& names, const char* what);
 	bool addName(Fields& f, Names& names, const std::string& name, size_t index, const char* what);
 
@@ -44,7 +48,7 @@ private:
 	Names m_bodies, m_joints;
 };
 
-std::vector<std::string> namesIn(const std::map<std::string, int>& names);
+std::vector<std::string> namesIn(const Names& names);
 
 /// A material or section of the builder's, by name or by value.
 bool materialField(Fields& f, const char* key, SceneBuilder& builder, SceneDescription::Material& material,

@@ -90,10 +90,10 @@ Simulation::Simulation(const SceneDescription& scene)
 	: m_scene(scene),
 	  m_world(std::make_unique<World>(methodOf(scene.world),
 									  scene.world.ramp > 0 ? btVector3(0, 0, 0) : scene.world.gravity)),
-	  m_played(scene.events.size()),
 	  m_lastDeed(lastDeedOf(scene))
 {
 	const SceneDescription::WorldSettings& w = m_scene.world;
+	m_run.played.resize(m_scene.events.size());
 	if (w.solver == Solver::Direct || w.solver == Solver::Iterative)
 	{
 		auto& solver = *static_cast<btElasticPlasticConstraintSolver*>(m_world->bullet().getConstraintSolver());
@@ -110,14 +110,24 @@ Simulation::Simulation(const SceneDescription& scene)
 	for (size_t i = 0; i < m_scene.joints.size(); ++i)
 		buildJoint(i);
 	refuseOverlaps();
-	if (w.error > 0)
-		m_control = std::make_unique<btElasticPlasticStepControl>(w.error);
+	beginControl();
 	m_audit = std::make_unique<EnergyAudit>(*m_world);
-	m_energies.isAudited = !isDriven(m_scene);
+	m_run.energies.isAudited = !isDriven(m_scene);
 	playScript();
 }
 
+Simulation::Simulation(const SceneDescription& scene, const SimulationState& state) : Simulation(scene)
+{
+	restore(state);
+}
+
 Simulation::~Simulation() = default;
+
+void Simulation::beginControl()
+{
+	if (m_scene.world.error > 0)
+		m_control = std::make_unique<btElasticPlasticStepControl>(m_scene.world.error);
+}
 
 // ---- building
 
@@ -307,24 +317,27 @@ void Simulation::step()
 
 void Simulation::substep(btScalar dt)
 {
+	if (m_beforeSubstep)
+		m_beforeSubstep(m_run.time + double(dt) / 2);
 	setGravity();
-	moveKinematic(m_time + double(dt));
-	applyLoads(m_time + double(dt) / 2);
-	applyBlasts(m_time, double(dt));
+	moveKinematic(m_run.time + double(dt));
+	applyLoads(m_scene.loads, m_run.time + double(dt) / 2);
+	applyLoads(m_addedLoads, m_run.time + double(dt) / 2);
+	applyBlasts(m_run.time, double(dt));
 	m_audit->begin();
 	m_world->step(dt);
 	m_audit->end(dt);
-	m_time += double(dt);
-	m_lastSubstep = double(dt);
-	m_energies.gained += std::max(0., m_audit->gain() - m_audit->bulletsRecovery());
-	m_energies.turnover = m_audit->turnover();
+	m_run.time += double(dt);
+	m_run.lastSubstep = double(dt);
+	m_run.energies.gained += std::max(0., m_audit->gain() - m_audit->bulletsRecovery());
+	m_run.energies.turnover = std::max(m_run.energies.turnover, m_audit->turnover());
 }
 
 void Simulation::setGravity()
 {
 	const SceneDescription::WorldSettings& w = m_scene.world;
-	if (w.ramp > 0 && m_time < 2 * w.ramp)
-		m_world->bullet().setGravity(w.gravity * btScalar(std::min(1., m_time / w.ramp)));
+	if (w.ramp > 0 && m_run.time < 2 * w.ramp)
+		m_world->bullet().setGravity(w.gravity * btScalar(std::min(1., m_run.time / w.ramp)));
 }
 
 void Simulation::moveKinematic(double time)
@@ -340,9 +353,9 @@ void Simulation::moveKinematic(double time)
 	}
 }
 
-void Simulation::applyLoads(double time)
+void Simulation::applyLoads(const std::vector<SceneDescription::Load>& loads, double time)
 {
-	for (const SceneDescription::Load& load : m_scene.loads)
+	for (const SceneDescription::Load& load : loads)
 	{
 		const btScalar factor = btScalar(factorAt(load.course, time));
 		if (factor == 0)
@@ -389,16 +402,16 @@ void Simulation::applyBlasts(double time, double dt)
 
 void Simulation::playScript()
 {
-	const double now = m_time + m_scene.world.step / 2;
+	const double now = m_run.time + m_scene.world.step / 2;
 	for (size_t i = 0; i < m_bodies.size(); ++i)
 		if (!m_bodies[i].body && m_scene.bodies[i].appears <= now)
-			addBody(i);
+			appear(int(i));
 	for (size_t i = 0; i < m_scene.events.size(); ++i)
 	{
 		const SceneDescription::Event& event = m_scene.events[i];
-		if (m_played[i] || event.time > now)
+		if (m_run.played[i] || event.time > now)
 			continue;
-		m_played[i] = true;
+		m_run.played[i] = true;
 		for (int index : event.cut)
 			cut(index);
 		for (int index : event.removed)
@@ -410,7 +423,13 @@ void Simulation::playScript()
 
 void Simulation::note(SceneEvent::Type type, int index, const btVector3& place)
 {
-	m_events.push_back({m_time, type, index, -1, 0, place});
+	m_run.events.push_back({m_run.time, type, index, -1, 0, place});
+}
+
+void Simulation::appear(int index)
+{
+	m_run.changes.push_back({SimulationState::Change::Type::Appear, index});
+	addBody(size_t(index));
 }
 
 void Simulation::remove(int index)
@@ -419,6 +438,7 @@ void Simulation::remove(int index)
 		return;
 	btRigidBody& body = *this->body(index);
 	note(SceneEvent::Type::Remove, index, body.getCenterOfMassPosition());
+	m_run.changes.push_back({SimulationState::Change::Type::Remove, index});
 	for (size_t i = 0; i < m_joints.size(); ++i)
 		if (m_scene.joints[i].bodies[0] == index || m_scene.joints[i].bodies[1] == index)
 			m_joints[i].isCut = true;
@@ -438,6 +458,7 @@ void Simulation::cut(int index)
 	if (built.isCut || isBroken(index))
 		return;
 	built.isCut = true;
+	m_run.changes.push_back({SimulationState::Change::Type::Cut, index});
 	btTypedConstraint* constraint = built.constraint;
 	if (built.joint)
 	{
@@ -471,11 +492,11 @@ void Simulation::takeEvents()
 	{
 		const auto found = m_indexOf.find(e.m_joint);
 		if (found != m_indexOf.end())
-			m_events.push_back({e.m_time,
-								e.m_type == BT_EP_EVENT_BREAK ? SceneEvent::Type::Break : SceneEvent::Type::Yield,
-								found->second, e.m_dof, e.m_energy, e.m_position});
+			m_run.events.push_back({e.m_time,
+									e.m_type == BT_EP_EVENT_BREAK ? SceneEvent::Type::Break : SceneEvent::Type::Yield,
+									found->second, e.m_dof, e.m_energy, e.m_position});
 	}
-	SceneEnergies& sum = m_energies;
+	SceneEnergies& sum = m_run.energies;
 	sum.kinetic = m_world->kineticEnergy();
 	sum.elastic = sum.plastic = sum.numerical = 0;
 	for (size_t i = 0; i < m_joints.size(); ++i)
@@ -511,18 +532,79 @@ void Simulation::checkEnd()
 		if (built.body && !(isFinite(built.body->getCenterOfMassPosition()) &&
 							isFinite(built.body->getLinearVelocity()) && isFinite(built.body->getAngularVelocity())))
 		{
-			m_ending = Ending::NotFinite;
+			m_run.ending = Ending::NotFinite;
 			return;
 		}
 	const SceneDescription::End& end = m_scene.end;
-	const bool isCalm = end.standstill > 0 && m_time > m_lastDeed && fastest() < end.standstill;
-	m_calm = isCalm ? m_calm + m_scene.world.step : 0;
+	const bool isCalm = end.standstill > 0 && m_run.time > m_lastDeed && fastest() < end.standstill;
+	m_run.calm = isCalm ? m_run.calm + m_scene.world.step : 0;
 	if (end.firstBreak && numBroken() > 0)
-		m_ending = Ending::FirstBreak;
-	else if (m_calm > CALM)
-		m_ending = Ending::Standstill;
-	else if (m_time + m_scene.world.step / 2 > end.time)
-		m_ending = Ending::Time;
+		m_run.ending = Ending::FirstBreak;
+	else if (m_run.calm > CALM)
+		m_run.ending = Ending::Standstill;
+	else if (m_run.time + m_scene.world.step / 2 > end.time)
+		m_run.ending = Ending::Time;
+}
+
+// ---- states
+
+SimulationState Simulation::save()
+{
+	SimulationState state = m_run;
+	state.world = m_world->save();
+	if (state.world.empty())
+		throw SceneError(
+			"the state cannot be saved: in place of elastic-plastic joints stand others, of which Bullet does "
+			"not tell the state; give world.joints one of the elastic-plastic kinds");
+	for (size_t i = 0; i < m_joints.size(); ++i)
+		if (m_joints[i].isCut && m_joints[i].joint)
+			state.cut.push_back({int(i), m_joints[i].joint->getState()});
+		else if (m_joints[i].isBroken && !m_joints[i].joint)
+			state.brokenBulletsOwn.push_back(int(i));
+	beginControl();
+	return state;
+}
+
+/// Into a simulation that has just been built.
+void Simulation::restore(const SimulationState& state)
+{
+	using Type = SimulationState::Change::Type;
+	const SceneError other("the state is of another scene, or of another build of this program");
+	// What the script does at time 0 has been done.
+	for (size_t i = m_run.changes.size(); i < state.changes.size(); ++i)
+	{
+		const auto [type, index] = state.changes[i];
+		if (index < 0 || size_t(index) >= (type == Type::Cut ? m_joints.size() : m_bodies.size()) ||
+			(type == Type::Appear && body(index)))
+			throw other;
+		if (type == Type::Appear)
+			appear(index);
+		else if (type == Type::Remove)
+			remove(index);
+		else
+			cut(index);
+	}
+	if (m_scene.world.ramp > 0)
+		m_world->bullet().setGravity(m_scene.world.gravity * btScalar(std::min(1., state.time / m_scene.world.ramp)));
+	if (!m_world->restore(state.world))
+		throw other;
+	for (const auto& [index, joint] : state.cut)
+		if (index < 0 || size_t(index) >= m_joints.size() || !m_joints[size_t(index)].isCut ||
+			!m_joints[size_t(index)].joint || !m_joints[size_t(index)].joint->setState(joint))
+			throw other;
+	for (int index : state.brokenBulletsOwn)
+		if (index < 0 || size_t(index) >= m_joints.size() || m_joints[size_t(index)].joint)
+			throw other;
+		else
+			m_joints[size_t(index)].constraint->setEnabled(false);
+	if (state.played.size() != m_run.played.size())
+		throw other;
+	m_run = state;
+	m_run.world.clear();
+	m_run.cut.clear();
+	for (size_t i = 0; i < m_joints.size(); ++i)
+		m_joints[i].isBroken = isBroken(int(i));
+	beginControl();
 }
 
 // ---- readings

@@ -4,6 +4,7 @@
 #ifndef EP_SIMULATION_H
 #define EP_SIMULATION_H
 
+#include <functional>
 #include <memory>
 #include <unordered_map>
 
@@ -56,12 +57,47 @@ enum class Ending
 };
 const std::vector<Named<Ending>>& endings();
 
+/// What a simulation has come to between two steps: with its scene another one goes on from there, with the same bits if it is of
+/// the same program.
+struct SimulationState
+{
+	/// What has come and gone.
+	struct Change
+	{
+		enum class Type
+		{
+			Appear,  ///< a body
+			Remove,
+			Cut  ///< a joint
+		};
+
+		Type type;
+		int index;
+	};
+
+	double time = 0, calm = 0;  ///< calm: for how long all has stood still [s]
+	double lastSubstep = 1;     ///< [s]
+	Ending ending = Ending::None;
+	SceneEnergies energies;
+	std::vector<bool> played;  ///< of the scene's events
+	std::vector<SceneEvent> events;
+	std::vector<Change> changes;  ///< in their order
+
+	// Only in a state that was saved:
+	std::vector<char> world;                                 ///< bodies, contacts and joints that it holds
+	std::vector<std::pair<int, btElasticPlasticState>> cut;  ///< joints that it does not hold any more
+	std::vector<int> brokenBulletsOwn;                       ///< joints of Bullet's
+};
+
 /// A scene that is built and computed, step by step.
 class Simulation
 {
 public:
 	/// Throws a SceneError if it cannot be built: bodies without volume, or in each other.
 	explicit Simulation(const SceneDescription& scene);
+
+	/// Goes on from a state of the same scene. Throws a SceneError if it is of another one.
+	Simulation(const SceneDescription& scene, const SimulationState& state);
 	~Simulation();
 	Simulation(const Simulation&) = delete;
 	Simulation& operator=(const Simulation&) = delete;
@@ -87,15 +123,30 @@ public:
 	/// A body that comes into the world now, after all others. It must have a volume.
 	void add(const SceneDescription::Body& body);
 
+	/// Loads beside the scene's own, which may change between steps and before each substep.
+	std::vector<SceneDescription::Load>& addedLoads() { return m_addedLoads; }
+
+	/// Something is done before each substep, at whose middle the time [s] is. It may change added loads, and must not throw.
+	void beforeSubsteps(std::function<void(double time)> act) { m_beforeSubstep = std::move(act); }
+
+	// What the scene's events do, at any time between steps. What is not there any more stays as it is.
+	void remove(int body);
+	void cut(int joint);
+	void push(int body, const btVector3& velocity);
+
 	void step();
-	double time() const { return m_time; }
-	double lastSubstep() const { return m_lastSubstep; }  ///< its length [s]
-	Ending ending() const { return m_ending; }
+	double time() const { return m_run.time; }
+	double lastSubstep() const { return m_run.lastSubstep; }  ///< its length [s]
+	Ending ending() const { return m_run.ending; }
+
+	/// Between steps. The control of substeps begins anew, as it will in the simulation that goes on from there: else that one would
+	/// have other bits. Throws a SceneError where the world's kind of joints cannot be saved.
+	SimulationState save();
 
 	/// All so far, in the order of time.
-	const std::vector<SceneEvent>& events() const { return m_events; }
+	const std::vector<SceneEvent>& events() const { return m_run.events; }
 
-	const SceneEnergies& energies() const { return m_energies; }
+	const SceneEnergies& energies() const { return m_run.energies; }
 
 	/// Broken so far; those that the scene has cut do not count.
 	int numBroken() const;
@@ -114,6 +165,8 @@ private:
 		bool isCut = false, isBroken = false;
 	};
 
+	void beginControl();
+	void restore(const SimulationState& state);
 	void buildBodies();
 	void addBody(size_t index);
 	void buildJoint(size_t index);
@@ -121,13 +174,11 @@ private:
 	void refuseOverlaps();
 	void substep(btScalar dt);
 	void moveKinematic(double time);
-	void applyLoads(double time);
+	void applyLoads(const std::vector<SceneDescription::Load>& loads, double time);
 	void applyBlasts(double time, double dt);
 	void setGravity();
 	void playScript();
-	void remove(int body);
-	void cut(int joint);
-	void push(int body, const btVector3& velocity);
+	void appear(int body);
 	void note(SceneEvent::Type type, int index, const btVector3& place);
 	void takeEvents();
 	void checkEnd();
@@ -143,13 +194,10 @@ private:
 	std::unordered_map<const btElasticPlasticJoint*, int> m_indexOf;
 	std::unique_ptr<EnergyAudit> m_audit;
 	std::unique_ptr<btElasticPlasticStepControl> m_control;
-	std::vector<SceneEvent> m_events;
-	SceneEnergies m_energies;
-	std::vector<bool> m_played;     // events
-	double m_time = 0, m_calm = 0;  // how long all has stood still
-	double m_lastSubstep = 1;
+	std::vector<SceneDescription::Load> m_addedLoads;
+	std::function<void(double)> m_beforeSubstep;
+	SimulationState m_run;
 	double m_lastDeed = 0;  // of the script: before it nothing stands still
-	Ending m_ending = Ending::None;
 };
 }  // namespace ep
 

@@ -28,36 +28,62 @@ const char* stateOf(const Simulation& s, int index)
 }
 }  // namespace
 
-RunFiles::RunFiles(Simulation& simulation)
-	: m_simulation(simulation), m_energy("time_s,kinetic_J,elastic_J,plastic_J,numerical_J,gained_J\n")
+RunFiles::RunFiles(Simulation& simulation) : RunFiles(simulation, {}) { step(); }
+
+RunFiles::RunFiles(Simulation& simulation, const std::vector<std::vector<double>>& columns) : m_simulation(simulation)
 {
-	m_probes = "time_s";
+	m_columns.emplace_back("time_s");
 	for (const auto& probe : simulation.scene().probes)
-		m_probes += "," + probe.name;
-	m_probes += "\n";
-	m_extremes.resize(simulation.scene().probes.size(), {HUGE_VAL, -HUGE_VAL});
-	read();
+		m_columns.emplace_back(probe.name);
+	for (const char* energy : {"kinetic_J", "elastic_J", "plastic_J", "numerical_J", "gained_J"})
+		m_columns.emplace_back(energy);
+	if (columns.empty())
+		return;
+	if (columns.size() != m_columns.size())
+		throw std::runtime_error("what was read before has other columns");
+	for (size_t i = 0; i < columns.size(); ++i)
+	{
+		if (columns[i].empty() || columns[i].size() != columns[0].size())
+			throw std::runtime_error("what was read before has columns of different lengths");
+		for (double value : columns[i])
+			m_columns[i].add(value);
+	}
 }
 
-void RunFiles::step() { read(); }
-
-void RunFiles::read()
+void RunFiles::step()
 {
-	const auto& probes = m_simulation.scene().probes;
-	m_values.resize(probes.size());
-	m_probes += cell(m_simulation.time());
-	for (size_t i = 0; i < probes.size(); ++i)
-	{
-		m_values[i] = readProbe(m_simulation, probes[i]);
-		m_extremes[i] = {std::min(m_extremes[i].least, m_values[i]), std::max(m_extremes[i].most, m_values[i])};
-		m_probes += "," + cell(m_values[i]);
-	}
-	m_probes += "\n";
 	const SceneEnergies& e = m_simulation.energies();
-	m_energy += cell(m_simulation.time());
+	size_t column = 0;
+	m_columns[column++].add(m_simulation.time());
+	for (const auto& probe : m_simulation.scene().probes)
+		m_columns[column++].add(readProbe(m_simulation, probe));
 	for (double energy : {e.kinetic, e.elastic, e.plastic, e.numerical, e.gained})
-		m_energy += "," + cell(energy);
-	m_energy += "\n";
+		m_columns[column++].add(energy);
+}
+
+/// The time and some of the columns.
+std::string RunFiles::csv(size_t begin, size_t end) const
+{
+	std::string text = m_columns[0].title();
+	for (size_t k = begin; k < end; ++k)
+		text += "," + m_columns[k].title();
+	text += "\n";
+	for (size_t row = 0; row < m_columns[0].size(); ++row)
+	{
+		text += cell(m_columns[0][row]);
+		for (size_t k = begin; k < end; ++k)
+			text += "," + cell(m_columns[k][row]);
+		text += "\n";
+	}
+	return text;
+}
+
+std::vector<double> RunFiles::values() const
+{
+	std::vector<double> last;
+	for (size_t i = 0; i < m_simulation.scene().probes.size(); ++i)
+		last.push_back(probe(i)[probe(i).size() - 1]);
+	return last;
 }
 
 nlohmann::ordered_json RunFiles::summary() const
@@ -68,9 +94,18 @@ nlohmann::ordered_json RunFiles::summary() const
 	for (size_t i = 0; i < s.scene().joints.size(); ++i)
 		yielded += s.joint(int(i)) && s.joint(int(i))->hasYielded();
 	Json probes = Json::object();
-	for (size_t i = 0; i < m_values.size(); ++i)
-		probes[s.scene().probes[i].name] = {
-			{"last", m_values[i]}, {"least", m_extremes[i].least}, {"most", m_extremes[i].most}};
+	const std::vector<double> last = values();
+	for (size_t i = 0; i < s.scene().probes.size(); ++i)
+	{
+		const Column& column = probe(i);
+		double least = HUGE_VAL, most = -HUGE_VAL;
+		for (size_t row = 0; row < column.size(); ++row)
+		{
+			least = std::min(least, column[row]);
+			most = std::max(most, column[row]);
+		}
+		probes[column.title()] = {{"last", last[i]}, {"least", least}, {"most", most}};
+	}
 	return {{"title", s.scene().title},
 			{"ending", nameOf(endings(), s.ending())},
 			{"is_finite", s.ending() != Ending::NotFinite},
@@ -88,7 +123,7 @@ nlohmann::ordered_json RunFiles::summary() const
 			{"energy_turnover_J", e.turnover},
 			{"energy_gained_J", e.isAudited ? Json(e.gained) : Json()},
 			{"energy_gained_share", e.isAudited && e.turnover > 0 ? Json(e.gained / e.turnover) : Json()},
-			{"not_as_expected", unmetExpectations(s, m_values)},
+			{"not_as_expected", unmetExpectations(s, last)},
 			{"probes", probes}};
 }
 
@@ -131,8 +166,8 @@ std::string RunFiles::jointsCsv() const
 void RunFiles::write(const std::string& folder) const
 {
 	makeDirectory(folder);
-	writeFile(folder, "probes.csv", m_probes);
-	writeFile(folder, "energy.csv", m_energy);
+	writeFile(folder, "probes.csv", csv(1, firstEnergy()));
+	writeFile(folder, "energy.csv", csv(firstEnergy(), m_columns.size()));
 	writeFile(folder, "events.csv", eventsCsv());
 	writeFile(folder, "joints.csv", jointsCsv());
 	// Last: a folder with a summary is whole.

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "run/Column.h"
 #include "simulation/Simulation.h"
 
 namespace ep
@@ -16,11 +17,18 @@ class RunFiles
 public:
 	explicit RunFiles(Simulation& simulation);
 
+	/// Goes on from what another one had read: values of all columns, one column after another. Throws a std::runtime_error if these are not
+	/// as many as there are columns, or not equally many of each.
+	RunFiles(Simulation& simulation, const std::vector<std::vector<double>>& columns);
+
 	/// After each step.
 	void step();
 
 	/// The values of the probes now.
-	const std::vector<double>& values() const { return m_values; }
+	std::vector<double> values() const;
+
+	/// What has been read since the beginning: the time, the probes in the scene's order, and energies.
+	const std::vector<Column>& columns() const { return m_columns; }
 
 	nlohmann::ordered_json summary() const;
 
@@ -28,19 +36,14 @@ public:
 	void write(const std::string& folder) const;
 
 private:
-	struct Extremes
-	{
-		double least, most;
-	};
-
-	void read();
+	size_t firstEnergy() const { return 1 + m_simulation.scene().probes.size(); }
+	const Column& probe(size_t index) const { return m_columns[1 + index]; }
+	std::string csv(size_t begin, size_t end) const;
 	std::string eventsCsv() const;
 	std::string jointsCsv() const;
 
 	Simulation& m_simulation;
-	std::vector<double> m_values;
-	std::vector<Extremes> m_extremes;
-	std::string m_probes, m_energy;
+	std::vector<Column> m_columns;
 };
 }  // namespace ep
 

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "simulation/StateFile.h"
+
+#include "scenefile/Complaints.h"
+
+namespace ep
+{
+namespace
+{
+using nlohmann::json;
+
+const int STATE_VERSION = 1;
+const char* const PRECISION = sizeof(btScalar) == sizeof(double) ? "double" : "float";
+
+/// What is read or written of a joint's state: one list for both directions.
+template <class State, class Act>
+void forEachNumber(State& s, Act act)
+{
+	for (int i = 0; i < 4; ++i)
+	{
+		act(s.m_plasticRotation[i]);
+		act(s.m_plasticMiddle[i]);
+	}
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		for (auto* list :
+			 {&s.m_plastic, &s.m_force, &s.m_forceRate, &s.m_withheld, &s.m_applied, &s.m_plasticPath, &s.m_watched})
+			act((*list)[i]);
+	for (auto& initial : s.m_initial)
+		act(initial);
+	act(s.m_lastStep);
+	act(s.m_withheldStep);
+	act(s.m_work);
+	act(s.m_plasticEnergy);
+	act(s.m_solvedExactly);
+	act(s.m_yielded);
+	act(s.m_broken);
+	act(s.m_passedLevels);
+}
+
+json packJoint(const btElasticPlasticState& state)
+{
+	json numbers = json::array();
+	forEachNumber(state, [&](const auto& value) { numbers.push_back(value); });
+	return numbers;
+}
+
+btElasticPlasticState unpackJoint(const json& numbers)
+{
+	btElasticPlasticState state;
+	size_t i = 0;
+	forEachNumber(state, [&](auto& value) { numbers.at(i++).get_to(value); });
+	return state;
+}
+
+json packEvents(const std::vector<SceneEvent>& events)
+{
+	json all = json::array();
+	for (const SceneEvent& e : events)
+		all.push_back({e.time, int(e.type), e.index, e.dof, e.energy, e.place.x(), e.place.y(), e.place.z()});
+	return all;
+}
+
+/// Of an enumeration whose first is 0.
+template <class Choice>
+Choice unpackChoice(const json& packed, Choice last)
+{
+	const int number = packed.get<int>();
+	if (number < 0 || number > int(last))
+		throw SceneError("a choice that is none");
+	return Choice(number);
+}
+
+std::vector<SceneEvent> unpackEvents(const json& all)
+{
+	std::vector<SceneEvent> events;
+	for (const json& e : all)
+		events.push_back({e.at(0), unpackChoice(e.at(1), SceneEvent::Type::Push), e.at(2), e.at(3), e.at(4),
+						  btVector3(e.at(5), e.at(6), e.at(7))});
+	return events;
+}
+
+SimulationState unpack(const json& packed)
+{
+	if (packed.at("version") != STATE_VERSION || packed.at("precision") != PRECISION)
+		throw SceneError("it is of version " + packed.at("version").dump() + " in " +
+						 packed.at("precision").get<std::string>() + ", not of version " +
+						 std::to_string(STATE_VERSION) + " in " + PRECISION);
+	SimulationState s;
+	packed.at("time").get_to(s.time);
+	packed.at("calm").get_to(s.calm);
+	packed.at("last_substep").get_to(s.lastSubstep);
+	s.ending = unpackChoice(packed.at("ending"), Ending::NotFinite);
+	const json& e = packed.at("energies");
+	s.energies = {e.at(0), e.at(1), e.at(2), e.at(3), e.at(4), e.at(5), e.at(6)};
+	packed.at("played").get_to(s.played);
+	s.events = unpackEvents(packed.at("events"));
+	for (const json& change : packed.at("changes"))
+		s.changes.push_back({unpackChoice(change.at(0), SimulationState::Change::Type::Cut), change.at(1)});
+	const auto& bytes = packed.at("world").get_binary();
+	s.world.assign(bytes.begin(), bytes.end());
+	for (const json& joint : packed.at("cut"))
+		s.cut.emplace_back(joint.at(0).get<int>(), unpackJoint(joint.at(1)));
+	packed.at("broken_bullets_own").get_to(s.brokenBulletsOwn);
+	return s;
+}
+}  // namespace
+
+json packState(const SimulationState& s)
+{
+	const SceneEnergies& e = s.energies;
+	json changes = json::array(), cut = json::array();
+	for (const auto& change : s.changes)
+		changes.push_back({int(change.type), change.index});
+	for (const auto& [index, joint] : s.cut)
+		cut.push_back({index, packJoint(joint)});
+	return {{"version", STATE_VERSION},
+			{"precision", PRECISION},
+			{"time", s.time},
+			{"calm", s.calm},
+			{"last_substep", s.lastSubstep},
+			{"ending", int(s.ending)},
+			{"energies", {e.kinetic, e.elastic, e.plastic, e.numerical, e.turnover, e.gained, e.isAudited}},
+			{"played", s.played},
+			{"events", packEvents(s.events)},
+			{"changes", changes},
+			{"world", json::binary({s.world.begin(), s.world.end()})},
+			{"cut", cut},
+			{"broken_bullets_own", s.brokenBulletsOwn}};
+}
+
+SimulationState unpackState(const json& packed)
+{
+	try
+	{
+		return unpack(packed);
+	}
+	catch (const std::exception& error)
+	{
+		throw SceneError(std::string("this is no state that can be read: ") + error.what());
+	}
+}
+}  // namespace ep
