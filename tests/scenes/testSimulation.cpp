@@ -77,6 +77,16 @@ TEST(SceneBodies, HullsAndCompoundsOfABoxAreTheBox)
 	}
 }
 
+TEST(SceneBodies, AreNoLargerThanTheirHullsPoints)
+{
+	// A small one lies on the ground: Bullet's own margin would hold it 4 cm above.
+	Simulation s(sceneOf(R"("world": {"ground": true}, "end": {"time": 1}, "bodies": [{"name": "hull", "at": [0, 0.06, 0],
+		"hull": [-0.05,-0.05,-0.05, 0.05,-0.05,-0.05, -0.05,0.05,-0.05, 0.05,0.05,-0.05, -0.05,-0.05,0.05, 0.05,-0.05,0.05, -0.05,0.05,0.05, 0.05,0.05,0.05]}],
+		"probes": [{"name": "y", "of": "hull", "measure": "position"}])"));
+	run(s);
+	EXPECT_NEAR(probe(s), .05, .01 * .1);
+}
+
 TEST(SceneBodies, WithoutVolumeOrInEachOtherAreRefused)
 {
 	expectParts(

@@ -88,6 +88,13 @@ btCollisionShape* simpleShape(World& world, const Shape& s, const btTransform& t
 			auto* const hull = new btConvexHullShape();
 			for (const btVector3& point : s.points)
 				hull->addPoint(toCentre * point, false);
+			hull->setMargin(0);
+			hull->recalcLocalAabb();
+			btVector3 low, high;
+			hull->getAabb(btTransform::getIdentity(), low, high);
+			// A hull reaches past its points by its margin, and Bullet's own of 4 cm is much on what is small.
+			const btVector3 size = high - low;
+			hull->setMargin(btMin(CONVEX_DISTANCE_MARGIN, size[size.minAxis()] / 100));
 			hull->recalcLocalAabb();
 			return world.keep(hull);
 		}
