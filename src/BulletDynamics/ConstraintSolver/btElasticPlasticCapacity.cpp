@@ -92,6 +92,24 @@ void btElasticPlasticCapacity::scaleYield(btScalar factor)
 	}
 }
 
+btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlasticHeat& heat) const
+{
+	btElasticPlasticCapacity hot = *this;
+	if (!hot.m_fault)
+		hot.m_fault = btElasticPlasticCheckNotNegative("what heat leaves of strength", heat.m_strength);
+	if (!hot.m_fault)
+		hot.m_fault = btElasticPlasticCheckNotNegative("what heat leaves of stiffness", heat.m_stiffness);
+	if (hot.m_fault)
+		return hot;
+	const bool isAnyLeft = heat.m_strength > 0 && heat.m_stiffness > 0;
+	hot.scaleYield(isAnyLeft ? heat.m_strength : btScalar(0));
+	for (int i = 0; i < BT_EP_DOF_COUNT && isAnyLeft; ++i)
+		hot.m_stiffness[i] *= heat.m_stiffness;
+	for (int i = 0; i < hot.m_fibres.size(); ++i)
+		hot.m_fibres[i].m_stiffness *= heat.m_stiffness;
+	return hot;
+}
+
 bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) const
 {
 	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length &&
@@ -182,6 +200,11 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 			return f;
 		if (btElasticPlasticFault f = faultOfCurve(fibre))
 			return f;
+		if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("rate at which a fibre's strength doubles [m/s]",
+																	   fibre.m_rateReference))
+			return f;
+		if (!btElasticPlasticIsFinite(double(fibre.m_rateExponent)) || !(fibre.m_rateExponent >= 1))
+			return btElasticPlasticFault("exponent of a fibre's rate", fibre.m_rateExponent, "finite, at least 1");
 	}
 	return btElasticPlasticFault();
 }

@@ -6,6 +6,7 @@
 
 #include "LinearMath/btAlignedObjectArray.h"
 #include "btElasticPlasticFibre.h"
+#include "btElasticPlasticHeat.h"
 #include "btElasticPlasticMaterial.h"
 #include "btElasticPlasticPrecision.h"
 #include "btElasticPlasticSection.h"
@@ -64,6 +65,11 @@ struct btElasticPlasticCapacity
 	/// of freedom out: a joint with this capacity lets go without an event, stays in the world and is not broken; when it gets yield values
 	/// again it holds at the pose that its bodies have then. See btElasticPlasticAction::breakJoint to break one.
 	void scaleYield(btScalar factor);
+
+	/// The same in heat: yield values and stiffnesses, those of fibres too, times the factors, ductility as it was. Give it to a joint
+	/// whenever its temperature has changed: setCapacity() keeps the joint's force, and what is beyond its strength flows off in the next step.
+	/// Make it from the cold capacity each time. Strength or stiffness 0 takes all degrees of freedom out, as scaleYield() says.
+	btElasticPlasticCapacity heated(const btElasticPlasticHeat& heat) const;
 
 	/// False for what is no degree of freedom.
 	bool isElasticPlastic(int dof) const { return btElasticPlasticIsDof(dof) && m_yield[dof] > 0; }

@@ -98,6 +98,8 @@ struct Piece
 		fibre.m_stiffness = btScalar(stiffness);
 		fibre.m_compression = btScalar(strength);
 		fibre.m_tension = fibre.m_compression * m_material.m_tensileShare;
+		fibre.m_rateReference = m_material.m_rate.m_reference * btScalar(m_gauge);
+		fibre.m_rateExponent = m_material.m_rate.m_exponent;
 		return fibre;
 	}
 };
@@ -222,6 +224,11 @@ void btElasticPlasticCapacity::addFibres(const btElasticPlasticMaterial& materia
 		fibre.m_stretchLimit = own.m_ultimatePlasticStrain * gaugeLength;
 		fibre.m_crushLimit =
 			(own.m_crushingStrain > 0 ? own.m_crushingStrain : own.m_ultimatePlasticStrain) * gaugeLength;
+		fibre.m_rateReference = own.m_rate.m_reference * gaugeLength;
+		fibre.m_rateExponent = own.m_rate.m_exponent;
+		fibre.m_softens = own.m_fractureEnergy > 0;
+		if (fibre.m_softens)
+			fibre.m_stretchLimit = 2 * own.m_fractureEnergy / (own.m_yieldStress * own.m_tensileShare);
 		if (own.m_hardening.size() > 0)
 			addHardening(*this, {from, own, double(fibre.m_stiffness), double(gaugeLength)});
 		else

@@ -20,16 +20,23 @@ struct btElasticPlasticFibre
 	/// without a force and bears again where it closes. A joint all of whose fibres gape wider than this is broken.
 	btScalar m_stretchLimit = btScalar(BT_LARGE_FLOAT);
 	btScalar m_crushLimit = btScalar(BT_LARGE_FLOAT);  ///< plastic shortening at which it is crushed [m], > 0
+	bool m_softens = false;  ///< its strength in tension falls linearly as its damage grows, to 0 at 1
 	/// How its strength changes as it flows to and fro, points m_firstPoint to m_firstPoint + m_numPoints - 1 of
 	/// btElasticPlasticCapacity::m_curvePoints; none: it stays.
 	int m_firstPoint = 0, m_numPoints = 0;
+	/// Rate of its elongation at which it is twice as strong as at rest [m/s], >= 0, by 1 + (rate / m_rateReference)^(1 / m_rateExponent); 0:
+	/// its strength knows no rate.
+	btScalar m_rateReference = 0;
+	btScalar m_rateExponent = 5;  ///< >= 1
 
 	bool isSameAs(const btElasticPlasticFibre& other) const
 	{
 		return m_y == other.m_y && m_z == other.m_z && m_stiffness == other.m_stiffness &&
 			   m_tension == other.m_tension && m_compression == other.m_compression &&
 			   m_stretchLimit == other.m_stretchLimit && m_crushLimit == other.m_crushLimit &&
-			   m_firstPoint == other.m_firstPoint && m_numPoints == other.m_numPoints;
+			   m_firstPoint == other.m_firstPoint && m_numPoints == other.m_numPoints &&
+			   m_rateReference == other.m_rateReference && m_rateExponent == other.m_rateExponent &&
+			   m_softens == other.m_softens;
 	}
 };
 
@@ -54,6 +61,8 @@ struct btElasticPlasticFibreState
 	btScalar m_damage =
 		0;  ///< share of its ductility that is spent, by the sum of both directions; from 1 on it bears nothing
 	btScalar m_path = 0;  ///< sum of its plastic elongations and shortenings [m]
+	btScalar m_rate = 0;  ///< of its elongation at the beginning of the last step, if its strength knows a rate [m/s]
+	btScalar m_rateShare = 0;  ///< by which it was stronger in that step than at rest
 	/// Torn by tension, and weaker in tension than in compression: it opens without a force now, and bears where it has closed.
 	bool m_isCracked = false;
 

@@ -53,6 +53,16 @@ btElasticPlasticFault btElasticPlasticMaterial::fault() const
 	if (!(btElasticPlasticIsFinite(m_loadBearingShare) && m_loadBearingShare > 0 && m_loadBearingShare <= 1))
 		return btElasticPlasticFault("load-bearing share of the section", m_loadBearingShare,
 									 "greater than 0 and at most 1");
+	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("fracture energy [J/m^2]", m_fractureEnergy))
+		return f;
+	if (m_fractureEnergy > 0 && (m_tensileShare == 0 || m_hardening.size() > 0))
+		return btElasticPlasticFault("fracture energy [J/m^2]", m_fractureEnergy,
+									 "0 of a material without strength in tension or with hardening");
+	if (btElasticPlasticFault f =
+			btElasticPlasticCheckNotNegative("rate at which strength doubles [1/s]", m_rate.m_reference))
+		return f;
+	if (!btElasticPlasticIsFinite(double(m_rate.m_exponent)) || !(m_rate.m_exponent >= 1))
+		return btElasticPlasticFault("exponent of the rate of strain", m_rate.m_exponent, "finite, at least 1");
 	return faultOfHardening(*this);
 }
 

@@ -21,6 +21,31 @@ struct btElasticPlasticHardeningPoint
 	btScalar m_stress;  ///< [Pa], > 0
 };
 
+/// Strength over the rate of strain by Cowper and Symonds: f_y (1 + (rate / D)^(1/q)).
+struct btElasticPlasticRate
+{
+	btScalar m_reference =
+		0;  ///< D, the rate at which strength is twice that at rest [1/s], > 0; 0: strength knows no rate
+	btScalar m_exponent = 5;  ///< q, >= 1
+
+	/// Mild steel: 40.4 1/s, 5 (Cowper and Symonds 1957, after tests by Manjoine).
+	static btElasticPlasticRate mildSteel() { return of(btScalar(40.4), 5); }
+	/// High-tensile steel: 3200 1/s, 5 (Paik and Chung 1999; Jones, Structural Impact).
+	static btElasticPlasticRate highTensileSteel() { return of(3200, 5); }
+	/// Aluminium alloys: 6500 1/s, 4 (Bodner and Symonds 1962).
+	static btElasticPlasticRate aluminium() { return of(6500, 4); }
+	/// Stainless steel 304: 100 1/s, 10 (Forrestal and Sagartz 1978).
+	static btElasticPlasticRate stainlessSteel() { return of(100, 10); }
+
+	static btElasticPlasticRate of(btScalar reference, btScalar exponent)
+	{
+		btElasticPlasticRate rate;
+		rate.m_reference = reference;
+		rate.m_exponent = exponent;
+		return rate;
+	}
+};
+
 /// An isotropic, elastic-plastic material, perfectly plastic unless it has a curve of hardening. SI units.
 struct btElasticPlasticMaterial
 {
@@ -41,6 +66,13 @@ struct btElasticPlasticMaterial
 	/// was stretched yields the earlier when it is pressed (Bauschinger); the rest widens the range. Above 0 the curve must rise
 	/// from point to point, and less steeply from each to the next.
 	btScalar m_kinematicShare = 1;
+	/// G_f, work that a crack takes up per area until it is open [J/m^2]: the strength in tension falls linearly with the crack's width, to 0
+	/// at 2 G_f over that strength, which takes the place of m_ultimatePlasticStrain, so that the work does not depend on how finely a member
+	/// is cut. 0: the strength stays until then. Only fibres know it, of materials with a strength in tension that do not harden. Concrete by
+	/// fib Model Code 2010: 73 f_cm^0.18 N/m with the mean strength in MPa, 138 J/m^2 of C30/37.
+	btScalar m_fractureEnergy = 0;
+	/// How much stronger it is when it flows fast. Only fibres know it.
+	btElasticPlasticRate m_rate;
 	btScalar m_loadBearingShare = btScalar(1);  ///< part of the section that carries load, > 0 and <= 1
 	btElasticPlasticShearYield m_shearYield = BT_EP_TRESCA;
 

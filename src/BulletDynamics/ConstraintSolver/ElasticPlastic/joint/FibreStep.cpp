@@ -15,6 +15,9 @@ namespace
 /// one line alone would not be defined.
 const double WEIGHT_OF_IDLE = 1e-3;
 
+/// Newton's steps for a scalar equation; a few are enough.
+const int MOST_RATE_STEPS = 30;
+
 bool isFree(const btRigidBody& body)
 {
 	const btVector3 one(1, 1, 1);
@@ -97,24 +100,100 @@ void FibreStep::findCoupledRows(const JointRows& rows)
 	}
 }
 
-/// The strength that a fibre has in the middle of what it may flow in the step by its rate: then force times flow is its work but for the
-/// square of the step.
-JointModel::FibreStrength FibreStep::strengthInStep(int i, const DofState& s,
-													const btScalar rate[BT_EP_DOF_COUNT]) const
+/// How much slower the step ends if all fibres that know a rate are twice as strong as at rest: the velocities of the axial row and of the
+/// two bendings [m/s], [rad/s]. Other joints only lessen it.
+void FibreStep::findResponse(const Motion& motion, btScalar diagonal)
 {
-	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
-	const JointModel::FibreStrength now = m_model.strengthOf(i);
-	if (fibre.m_numPoints == 0)
-		return now;
-	const btScalar elongation = s.m_strain + m_dt * (rate[BT_EP_AXIAL] + fibre.m_z * rate[BT_EP_BENDING_Y] -
-													 fibre.m_y * rate[BT_EP_BENDING_Z]),
-				   force = fibre.m_stiffness * elongation,
-				   beyond = btMax(force - now.m_tension, -force - now.m_compression);
-	return beyond > 0 ? m_model.strengthOf(i, beyond / fibre.m_stiffness / 2) : now;
+	double sum[3] = {};
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+		if (!(fibre.m_rateReference > 0))
+			continue;
+		const double strength = double(btMax(fibre.m_tension, fibre.m_compression));
+		sum[0] += strength;
+		sum[1] += strength * fabs(double(fibre.m_z));
+		sum[2] += strength * fabs(double(fibre.m_y));
+	}
+	const double diagonals[3] = {double(diagonal), double(motion.m_turn[0]), double(motion.m_turn[1])};
+	for (int k = 0; k < 3; ++k)
+		m_response[k] = double(m_dt) * diagonals[k] * sum[k];
 }
 
-void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const btScalar rate[BT_EP_DOF_COUNT], btScalar diagonal,
-					  btScalar dt, JointRows& rows)
+/// By what share s a fibre is stronger in the step than at rest. With the rate v with which the step begins that would be (v / D)^(1 / q), which
+/// is steep where v is small: what flows slowly would be stopped in one step and let go in the next. So it is taken for the rate w at the
+/// step's end, as far as this joint's bodies decide on it. With the last step's change of v going on, a response g of the rate to the
+/// strength F, and the share s0 by which its force is above its strength at rest,
+///
+///     w = D s^q = v' - (g + F / (k dt)) (s - s0),   v' = v + (v - v0),
+///
+/// since what is not flow is elastic,
+/// whose left side grows and whose right side falls with s: there is one solution, and Newton's steps from above go straight to it.
+/// \param strength  at rest [N]
+double FibreStep::rateShareInStep(int i, double rate, const JointModel::FibreStrength& strength) const
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+	// What is under a force flows in its direction, if it flows.
+	const bool isPressed = state.m_force != 0 ? state.m_force < 0 : rate < 0;
+	const double sign = isPressed ? -1 : 1, v = sign * rate, before = sign * double(state.m_rate),
+				 atRest = isPressed ? double(strength.m_compression) : double(strength.m_tension);
+	if (!(atRest > 0))
+		return 0;
+	const double byStrength =
+		m_response[0] + m_response[1] * fabs(double(fibre.m_z)) + m_response[2] * fabs(double(fibre.m_y));
+	// A blow is no change that goes on: joints make no more than by their strength.
+	const double ahead = v + btMax(-byStrength, btMin(byStrength, v - before));
+	const double response = byStrength + atRest / (double(fibre.m_stiffness) * double(m_dt));
+	const double reference = fibre.m_rateReference, exponent = fibre.m_rateExponent;
+	const double right = ahead + response * (sign * double(state.m_force) / atRest - 1);
+	if (!(right > 0))
+		return 0;
+	double share = pow(right / reference, 1 / exponent);
+	if (response > 0)
+		share = btMin(share, right / response);
+	for (int k = 0; k < MOST_RATE_STEPS; ++k)
+	{
+		const double power = reference * pow(share, exponent - 1),
+					 step = (power * share + response * share - right) / (exponent * power + response);
+		share -= step;
+		if (!(step > 1e-6 * share))
+			break;
+	}
+	return btMax(share, 0.);
+}
+
+/// The strength that a fibre has in the middle of what it may flow in the step by its rate: then force times flow is its work but for the
+/// square of the step.
+FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Motion& motion) const
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	Strength strength;
+	static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(i);
+	strength.m_rate = strength.m_rateShare = 0;
+	if (fibre.m_numPoints == 0 && !fibre.m_softens && !(fibre.m_rateReference > 0))
+		return strength;
+	const btScalar* const rates = motion.m_rate;
+	const btScalar rate = rates[BT_EP_AXIAL] + fibre.m_z * rates[BT_EP_BENDING_Y] - fibre.m_y * rates[BT_EP_BENDING_Z];
+	if (fibre.m_rateReference > 0)
+	{
+		strength.m_rate = rate;
+		strength.m_rateShare = btScalar(rateShareInStep(i, rate, strength));
+	}
+	const btScalar stronger = 1 + strength.m_rateShare, force = fibre.m_stiffness * (s.m_strain + m_dt * rate),
+				   beyond = btMax(force - stronger * strength.m_tension, -force - stronger * strength.m_compression);
+	// A strength that falls lets more flow.
+	const btScalar fall = fibre.m_softens ? fibre.m_tension / fibre.m_stretchLimit / 2 : btScalar(0),
+				   stiffness = btMax(fibre.m_stiffness - fall, fibre.m_stiffness / 2);
+	if ((fibre.m_numPoints > 0 || fibre.m_softens) && beyond > 0)
+		static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(i, beyond / stiffness / 2);
+	strength.m_tension *= stronger;
+	strength.m_compression *= stronger;
+	return strength;
+}
+
+void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& motion, btScalar diagonal, btScalar dt,
+					  JointRows& rows)
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
 	const int n = capacity.m_fibres.size();
@@ -122,6 +201,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const btScalar rat
 	m_rows.resize(n);
 	m_solution.resize(n, {0, 0});
 	m_strength.resize(n);
+	findResponse(motion, diagonal);
 	findCoupledRows(rows);
 	btScalar a = capacity.m_stiffness[BT_EP_AXIAL] * diagonal;
 	for (int shear = 0; shear < 2; ++shear)
@@ -134,7 +214,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const btScalar rat
 		const DofState s = stateOf(i, strain);
 		const btScalar known = scheme.known(s, dt);
 		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
-		m_strength[i] = strengthInStep(i, s, rate);
+		m_strength[i] = strengthInStep(i, s, motion);
 		JointRows::Fibre& row = m_rows[i];
 		row.m_soft = implicitRow(s, scheme, dt);
 		row.m_soft.m_lower = holds ? dt * (known - scheme.m_alpha * m_strength[i].m_compression) : btScalar(0);
@@ -335,6 +415,8 @@ void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outco
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
 		btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+		state.m_rate = m_strength[i].m_rate;
+		state.m_rateShare = m_strength[i].m_rateShare;
 		// What is ruptured follows: else the turn of a section of which one line of fibres is left would grow for ever.
 		if (state.isRuptured())
 		{

@@ -24,13 +24,20 @@ class FibreStep
 public:
 	explicit FibreStep(JointModel& model) : m_model(model) {}
 
+	/// How the step begins.
+	struct Motion
+	{
+		btScalar m_rate[BT_EP_DOF_COUNT];  ///< of strain
+		btScalar m_turn[2];                ///< A of the two rows of bending
+	};
+
 	/// Makes the fibres' rows, and couples them with those of the shears.
 	/// \param strain    of the joint's six degrees of freedom, as the step meets it
-	/// \param rate      at which it grows
+	/// \param motion    by which it grows
 	/// \param diagonal  A of the axial row
 	/// \param rows      with the rows of the other degrees of freedom; gets the fibres
-	void begin(const btScalar strain[BT_EP_DOF_COUNT], const btScalar rate[BT_EP_DOF_COUNT], btScalar diagonal,
-			   btScalar dt, JointRows& rows);
+	void begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& motion, btScalar diagonal, btScalar dt,
+			   JointRows& rows);
 
 	/// What the solver has made of the fibres' rows. \param resultant  gets N, M_y and M_z over the step, as impulses
 	void setSolution(const double* impulses, const signed char* bounds, btScalar resultant[3]);
@@ -77,7 +84,14 @@ private:
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
 	void mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
 	void mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
-	JointModel::FibreStrength strengthInStep(int fibre, const DofState& s, const btScalar rate[BT_EP_DOF_COUNT]) const;
+	struct Strength : JointModel::FibreStrength
+	{
+		btScalar m_rate, m_rateShare;  ///< see btElasticPlasticFibreState
+	};
+
+	void findResponse(const Motion& motion, btScalar diagonal);
+	double rateShareInStep(int fibre, double rate, const JointModel::FibreStrength& strength) const;
+	Strength strengthInStep(int fibre, const DofState& s, const Motion& motion) const;
 	bool isOpen(int fibre) const
 	{
 		return m_mapped[fibre].m_increment > 0 &&
@@ -92,7 +106,8 @@ private:
 	btScalar m_dt = 0;
 	int m_shearRow[2] = {-1, -1};  ///< of the joint's rows that are coupled with the fibres, -1: none
 	btAlignedObjectArray<JointRows::Fibre> m_rows;
-	btAlignedObjectArray<JointModel::FibreStrength> m_strength;  ///< for the step
+	btAlignedObjectArray<Strength> m_strength;  ///< for the step
+	double m_response[3];                       ///< of elongation and turns to strength, see findResponse()
 	btAlignedObjectArray<Solution> m_solution;
 	btAlignedObjectArray<Mapped> m_mapped;
 	CoupledBundle m_bundle;

@@ -141,7 +141,8 @@ btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 	{
 		const btElasticPlasticFibreState& fibre = state.m_fibres[i];
-		for (const btScalar value : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage, fibre.m_path})
+		for (const btScalar value : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage, fibre.m_path,
+									 fibre.m_rate, fibre.m_rateShare})
 			if (!btElasticPlasticIsFinite(double(value)))
 				return btElasticPlasticFault("a number of one of the state's fibres", value, "finite");
 	}
@@ -190,6 +191,10 @@ btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& st
 		btScalar factor = ROUNDED;
 		for (int j = 0; j < fibre.m_numPoints; ++j)
 			btSetMax(factor, m_capacity.m_curvePoints[fibre.m_firstPoint + j].m_factor * ROUNDED);
+		if (own.m_rateShare < 0)
+			return btElasticPlasticFault("share by which one of the state's fibres is stronger than at rest",
+										 own.m_rateShare, "not negative");
+		factor *= 1 + own.m_rateShare;
 		if (own.m_force > fibre.m_tension * factor || -own.m_force > fibre.m_compression * factor)
 			return btElasticPlasticFault("force of one of the state's fibres [N]", own.m_force,
 										 "within the fibre's tension and compression");
@@ -318,6 +323,12 @@ JointModel::FibreStrength JointModel::strengthOf(int fibre, btScalar morePath) c
 	}
 	if (state.m_isCracked)
 		strength.m_tension = 0;
+	else if (own.m_softens)
+	{
+		// What flows beyond the crack's last width is no flow: the middle of all that is left is the least.
+		const btScalar left = btMax(1 - state.m_damage, btScalar(0));
+		strength.m_tension *= btMax(left - morePath / own.m_stretchLimit, left / (morePath > 0 ? 2 : 1));
+	}
 	return strength;
 }
 
@@ -345,6 +356,17 @@ void JointModel::wearFibres(btScalar damage)
 		m_state.m_fibres[i].m_damage += damage;
 }
 
+/// Of a fibre, by its force and those of the shears that turn the section.
+btScalar JointModel::elasticElongation(const btElasticPlasticCapacity& capacity, int fibre) const
+{
+	const btElasticPlasticFibre& own = capacity.m_fibres[fibre];
+	btScalar elongation = m_state.m_fibres[fibre].m_force / own.m_stiffness;
+	if (m_state.m_solvedExactly)
+		elongation += capacity.couplingCompliance(BT_EP_SHEAR_Z) * own.m_z * m_state.m_force[BT_EP_SHEAR_Z] -
+					  capacity.couplingCompliance(BT_EP_SHEAR_Y) * own.m_y * m_state.m_force[BT_EP_SHEAR_Y];
+	return elongation;
+}
+
 /// Fibres that stay keep their forces, new ones take theirs from the joint.
 void JointModel::takeFibres(const btElasticPlasticCapacity& before)
 {
@@ -357,8 +379,7 @@ void JointModel::takeFibres(const btElasticPlasticCapacity& before)
 		return;
 	}
 	for (int i = 0; i < n && i < before.m_fibres.size(); ++i)
-		m_state.m_fibres[i].m_offset += m_state.m_fibres[i].m_force / before.m_fibres[i].m_stiffness -
-										m_state.m_fibres[i].m_force / m_capacity.m_fibres[i].m_stiffness;
+		m_state.m_fibres[i].m_offset += elasticElongation(before, i) - elasticElongation(m_capacity, i);
 }
 
 /// The share of the section's strength that is spent.
@@ -389,7 +410,7 @@ btScalar JointModel::fibreUtilisation() const
 			continue;
 		const FibreStrength own = strengthOf(i);
 		force += btFabs(state.m_force);
-		strength += state.m_force > 0 ? own.m_tension : own.m_compression;
+		strength += (state.m_force > 0 ? own.m_tension : own.m_compression) * (1 + state.m_rateShare);
 	}
 	return strength > 0 ? force / strength : btScalar(0);
 }

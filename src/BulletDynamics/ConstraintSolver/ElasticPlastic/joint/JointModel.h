@@ -105,7 +105,7 @@ struct JointModel
 	/// Whether fibres stand for the axial force and the bending moments, for a solver that knows them.
 	bool usesFibres() const { return m_capacity.hasFibres() && !m_isPaper && !m_fault; }
 
-	/// What a fibre bears in tension and in compression as it is now, and with so much more plastic path [N].
+	/// What a fibre at rest bears in tension and in compression as it is now, and with so much more plastic path [N].
 	struct FibreStrength
 	{
 		btScalar m_tension, m_compression;
@@ -126,6 +126,7 @@ private:
 	void takePoseAsReference(unsigned dofs);
 	void keepForce(const btElasticPlasticCapacity& before);
 	void takeFibres(const btElasticPlasticCapacity& before);
+	btScalar elasticElongation(const btElasticPlasticCapacity& capacity, int fibre) const;
 	bool isOfFibres(int dof) const { return btElasticPlasticCapacity::isOfFibres(dof) && usesFibres(); }
 	bool hasFibreStrain(const btElasticPlasticCapacity& capacity, int dof) const
 	{

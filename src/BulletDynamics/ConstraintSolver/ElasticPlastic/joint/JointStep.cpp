@@ -206,10 +206,11 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 	if (m_usesFibres)
 	{
 		const btVector3& axis = k.m_axis[0];
-		btScalar rate[BT_EP_DOF_COUNT] = {};
+		FibreStep::Motion motion = {{}, {diagonal.about(k.m_axis[1]), diagonal.about(k.m_axis[2])}};
 		for (int r = 0; r < m_numRows; ++r)
-			rate[m_row[r].m_dof] = getRateBefore(r);
-		m_fibres.begin(m_kinematics.m_strain, rate, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt, rows);
+			motion.m_rate[m_row[r].m_dof] = getRateBefore(r);
+		m_fibres.begin(m_kinematics.m_strain, motion, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt,
+					   rows);
 	}
 	else if (!m_model.m_isPaper)
 		couple(rows);

@@ -60,7 +60,8 @@ bool isStateFinite(const btElasticPlasticState& state)
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 		sum += double(state.m_fibres[i].m_force) + double(state.m_fibres[i].m_forceRate) +
 			   double(state.m_fibres[i].m_offset) + double(state.m_fibres[i].m_damage) +
-			   double(state.m_fibres[i].m_path);
+			   double(state.m_fibres[i].m_path) + double(state.m_fibres[i].m_rate) +
+			   double(state.m_fibres[i].m_rateShare);
 	return btElasticPlasticIsFinite(sum);
 }
 

@@ -50,7 +50,8 @@ void transfer(Archive& archive, ObjectImage& image)
 template <class Archive>
 void transfer(Archive& archive, btElasticPlasticFibreState& state)
 {
-	for (btScalar* number : {&state.m_force, &state.m_forceRate, &state.m_offset, &state.m_damage, &state.m_path})
+	for (btScalar* number : {&state.m_force, &state.m_forceRate, &state.m_offset, &state.m_damage, &state.m_path,
+							 &state.m_rate, &state.m_rateShare})
 		archive(*number);
 	archive(state.m_isCracked);
 }
@@ -89,6 +90,9 @@ void transfer(Archive& archive, btElasticPlasticFibre& fibre)
 		archive(*number);
 	archive(fibre.m_firstPoint);
 	archive(fibre.m_numPoints);
+	archive(fibre.m_rateReference);
+	archive(fibre.m_rateExponent);
+	archive(fibre.m_softens);
 }
 
 template <class Archive>
