@@ -192,6 +192,37 @@ TEST(Snapshot, GoesOnWithTheSameBits)
 		}
 }
 
+/// In the same world and in a new one, from some steps on.
+TEST(Snapshot, InnerStepsGoOnWithTheSameBits)
+{
+	const auto takeInnerSteps = [](Collapse& scene)
+	{
+		btElasticPlasticSolverSettings settings = solverOf(scene.m_world).getSettings();
+		settings.m_innerError = 0.05;
+		EXPECT_TRUE(solverOf(scene.m_world).setSettings(settings));
+	};
+	long long numInner = 0;
+	for (int first = 0; first < 100; first += 5)
+	{
+		Collapse scene(Solver::Direct), other(Solver::Direct);
+		takeInnerSteps(scene);
+		takeInnerSteps(other);
+		scene.run(first);
+		const Bytes snapshot = save(scene.m_world);
+		const std::vector<uint64_t> expected = scene.run(first + 12);
+		ASSERT_FALSE(restore(scene.m_world, snapshot));
+		EXPECT_EQ(snapshot, save(scene.m_world));
+		scene.m_step = first;
+		EXPECT_EQ(-1, firstDifference(expected, scene.run(first + 12)))
+			<< "saved at " << first << ", in the same world";
+		ASSERT_FALSE(restore(other.m_world, snapshot));
+		other.m_step = first;
+		EXPECT_EQ(-1, firstDifference(expected, other.run(first + 12))) << "saved at " << first << ", in a new world";
+		numInner += statisticsOf(scene.m_world).m_innerSteps;
+	}
+	EXPECT_GT(numInner, 1000);
+}
+
 TEST(Snapshot, KeepsUnreadEvents)
 {
 	Collapse scene(Solver::Direct), other(Solver::Direct);

@@ -285,14 +285,18 @@ void JointRegistry::applyMotions(btDynamicsWorld& world)
 {
 	if (m_taken.size() + m_motions.size() == 0)
 		return;
-	m_motions.swap(m_taken);
+	for (const BodyMotion& motion : m_taken)
+		motion.apply(world);
+	setMotions(m_taken);
 	m_taken.clear();
+}
+
+void JointRegistry::setMotions(const std::vector<BodyMotion>& motions)
+{
+	m_motions = motions;
 	m_motionOf.clear();
 	for (size_t i = 0; i < m_motions.size(); ++i)
-	{
-		m_motions[i].apply(world);
 		m_motionOf.insert(btHashPtr(m_motions[i].m_body), int(i));
-	}
 }
 
 const BodyMotion* JointRegistry::findMotion(const btRigidBody& body) const

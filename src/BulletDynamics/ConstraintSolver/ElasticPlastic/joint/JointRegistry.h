@@ -95,6 +95,10 @@ public:
 	/// \param joints  all of them, those that hold first
 	void arrange(btDynamicsWorld& world, const Standing* joints, int numJoints, double time);
 
+	/// How bodies have gone through inner steps in the last substep.
+	const std::vector<BodyMotion>& getMotions() const { return m_motions; }
+	void setMotions(const std::vector<BodyMotion>& motions);
+
 	/// Puts an event of a known joint into the queue.
 	void addEvent(const btElasticPlasticEvent& event, JointWorks& joint);
 

@@ -162,9 +162,21 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 	image.m_lastFibreBounds = joint.m_step.getLastFibreBounds();
 	image.m_numUncommitted = joint.getNumUncommitted();
 	image.m_nextRequest = joint.getNextRequest();
+	image.m_innerLevel = joint.m_rhythm.m_level;
+	image.m_innerCalm = joint.m_rhythm.m_calm;
 	image.m_isSeparating = joint.m_separation.isUnderWay();
 	image.m_overlap = joint.m_separation.getOverlap();
 	return image;
+}
+
+/// Of bodies that are still in the world: a body of the last substep may have left it since.
+std::vector<MotionImage> Snapshot::readMotions() const
+{
+	std::vector<MotionImage> images;
+	for (const BodyMotion& motion : m_registry.getMotions())
+		if (rankOf(*motion.m_body) >= 0)
+			images.push_back({rankOf(*motion.m_body), motion.m_inner, motion.m_isTouched});
+	return images;
 }
 
 std::vector<EventImage> Snapshot::readEvents() const
@@ -216,6 +228,7 @@ WorldImage Snapshot::read() const
 	image.m_hasToken = m_registry.getMark() != nullptr;
 	for (int i = 0; i < m_registry.getNumJoints(); ++i)
 		image.m_joints.push_back(readJoint(m_registry.getJoint(i)));
+	image.m_motions = readMotions();
 	for (int i = 0; i < m_world.getNumConstraints(); ++i)
 		image.m_constraints.push_back(describe(*m_world.getConstraint(i)));
 	image.m_events = readEvents();
@@ -396,6 +409,15 @@ bool Snapshot::arePairsSound(const WorldImage& image) const
 	return std::adjacent_find(places.begin(), places.end()) == places.end();
 }
 
+bool Snapshot::areMotionsSound(const WorldImage& image) const
+{
+	for (const MotionImage& motion : image.m_motions)
+		if (motion.m_object < 0 || size_t(motion.m_object) >= m_objects.size() ||
+			!isBodyOf(*m_objects[size_t(motion.m_object)]))
+			return false;
+	return true;
+}
+
 bool Snapshot::areEventsSound(const WorldImage& image) const
 {
 	for (const EventImage& event : image.m_events)
@@ -418,6 +440,8 @@ btElasticPlasticFault Snapshot::findMismatch(const WorldImage& image) const
 		return fault;
 	if (!arePairsSound(image))
 		return foreign("number of pairs", double(image.m_pairs.size()));
+	if (!areMotionsSound(image))
+		return foreign("number of bodies in inner steps", double(image.m_motions.size()));
 	if (!areEventsSound(image))
 		return foreign("number of events", double(image.m_events.size()));
 	if (!BroadphaseState::isSound(image.m_broadphase, int(m_objects.size()) + image.m_hasToken))
@@ -449,6 +473,7 @@ void Snapshot::writeRegistry(const WorldImage& image)
 			joint.m_step.setLastBound(dof, from.m_lastBounds[dof]);
 		joint.m_step.setLastFibreBounds(from.m_lastFibreBounds);
 		joint.resume(from.m_numUncommitted, from.m_nextRequest);
+		joint.m_rhythm = {from.m_innerLevel, from.m_innerCalm};
 		// Which may be told from the bodies.
 		if (hasBodies(joint))
 			joint.setFault(joint.m_model.findFault());
@@ -464,6 +489,20 @@ void Snapshot::writeRegistry(const WorldImage& image)
 		event.m_bodyB = &joint.m_model.bodyB();
 		m_registry.addEvent(event, joint);
 	}
+}
+
+void Snapshot::writeMotions(const WorldImage& image)
+{
+	std::vector<BodyMotion> motions;
+	for (const MotionImage& from : image.m_motions)
+	{
+		BodyMotion motion;
+		motion.m_body = btRigidBody::upcast(m_objects[size_t(from.m_object)]);
+		motion.m_inner = from.m_inner;
+		motion.m_isTouched = from.m_isTouched;
+		motions.push_back(motion);
+	}
+	m_registry.setMotions(motions);
 }
 
 void Snapshot::writeConstraints(const WorldImage& image)
@@ -653,6 +692,7 @@ void Snapshot::writePairs(const WorldImage& image)
 void Snapshot::write(const WorldImage& image)
 {
 	writeRegistry(image);
+	writeMotions(image);
 	writeConstraints(image);
 	writeObjects(image);
 	writePairs(image);

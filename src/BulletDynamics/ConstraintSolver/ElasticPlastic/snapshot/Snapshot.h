@@ -48,6 +48,7 @@ private:
 	// ---- reading
 	ObjectImage readObject(const btCollisionObject& object) const;
 	JointImage readJoint(const JointWorks& joint) const;
+	std::vector<MotionImage> readMotions() const;
 	std::vector<EventImage> readEvents() const;
 	std::vector<PairImage> readPairs() const;
 
@@ -56,10 +57,12 @@ private:
 	btElasticPlasticFault findForeignJoint(const WorldImage& image) const;
 	btElasticPlasticFault findForeignConstraint(const WorldImage& image) const;
 	bool arePairsSound(const WorldImage& image) const;
+	bool areMotionsSound(const WorldImage& image) const;
 	bool areEventsSound(const WorldImage& image) const;
 
 	// ---- writing
 	void writeRegistry(const WorldImage& image);
+	void writeMotions(const WorldImage& image);
 	void writeConstraints(const WorldImage& image);
 	void writeObjects(const WorldImage& image);
 	void writePairs(const WorldImage& image);

@@ -6,6 +6,7 @@
 
 #include "../../btElasticPlasticCapacity.h"
 #include "../../btElasticPlasticEvent.h"
+#include "../../btElasticPlasticInnerMotion.h"
 #include "../../btElasticPlasticState.h"
 #include "Archive.h"
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
@@ -127,6 +128,7 @@ struct JointImage
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};
 	std::vector<signed char> m_lastFibreBounds;
 	int m_numUncommitted = 0, m_nextRequest = 0;
+	unsigned char m_innerLevel = 0, m_innerCalm = 0;  ///< InnerRhythm
 	bool m_isSeparating = false;
 	btScalar m_overlap = 0;
 };
@@ -147,9 +149,31 @@ void transfer(Archive& archive, JointImage& image)
 	transferNumbers(archive, image.m_lastFibreBounds);
 	archive(image.m_numUncommitted);
 	archive(image.m_nextRequest);
+	archive(image.m_innerLevel);
+	archive(image.m_innerCalm);
 	archive(image.m_isSeparating);
 	if (image.m_isSeparating)
 		archive(image.m_overlap);
+}
+
+/// How a body has gone through the inner steps of the last substep.
+struct MotionImage
+{
+	int m_object = 0;
+	btElasticPlasticInnerMotion m_inner;
+	bool m_isTouched = false;
+};
+
+template <class Archive>
+void transfer(Archive& archive, MotionImage& image)
+{
+	archive(image.m_object);
+	archive(image.m_inner.m_steps);
+	for (btVector3* vector : {&image.m_inner.m_way, &image.m_inner.m_turn, &image.m_inner.m_pushed})
+		transfer(archive, *vector);
+	archive(image.m_inner.m_work);
+	archive(image.m_inner.m_shift);
+	archive(image.m_isTouched);
 }
 
 /// A constraint in the world's list.
@@ -307,6 +331,7 @@ struct WorldImage
 	std::vector<ObjectImage> m_objects;  ///< by rank
 	bool m_hasToken = false;             ///< an object of the registry that comes after them
 	std::vector<JointImage> m_joints;    ///< those that hold, then the broken ones, in the registry's order
+	std::vector<MotionImage> m_motions;
 	std::vector<ConstraintImage> m_constraints;
 	std::vector<EventImage> m_events;
 	std::vector<PairImage> m_pairs;
@@ -321,6 +346,7 @@ void transfer(Archive& archive, WorldImage& image)
 	transferList(archive, image.m_objects);
 	archive(image.m_hasToken);
 	transferList(archive, image.m_joints);
+	transferList(archive, image.m_motions);
 	transferList(archive, image.m_constraints);
 	transferList(archive, image.m_events);
 	transferList(archive, image.m_pairs);
