@@ -232,6 +232,53 @@ TEST(InnerSteps, AnActionThatIsInNoWorldIsFoundOut)
 	scene.m_world.bullet().addAction(&scene.m_world.action());
 }
 
+/// \return the tip of a beam that is struck there
+btRigidBody& strikeBeam(World& world, double y)
+{
+	Member::Settings settings = ParkesCantilever::Settings().member;
+	settings.collides = true;
+	Member beam(world, settings, at(0, y), 1);
+	beam.joinStart(world, *world.body(0, world.box(btVector3(1, 1, 1)), at(-0.5, y), false));
+	beam.last().setLinearVelocity(btVector3(0, -20, 0));
+	return beam.last();
+}
+
+/// Puts a block around a body, and breaks what joins the two.
+void surround(World& world, btRigidBody& body)
+{
+	const btTransform& pose = body.getWorldTransform();
+	btRigidBody& block = *world.body(100, world.box(btVector3(4, 4, 4)), pose);
+	for (const auto& other : world.bodies())
+		block.setIgnoreCollisionCheck(other.get(), other.get() != &body);
+	btElasticPlasticCapacity capacity;
+	capacity.set(BT_EP_AXIAL, btScalar(1e6), btScalar(1e6), 1);
+	btElasticPlasticJoint* const joint = world.joint(body, block, pose, capacity);
+	EXPECT_TRUE(world.action().breakJoint(world.bullet(), joint));
+}
+
+TEST(InnerSteps, AreTakenWhileTheBodiesOfABrokenJointPart)
+{
+	std::vector<btVector3> places[2];
+	for (const bool isParting : {false, true})
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		takeInnerSteps(world);
+		btRigidBody &other = strikeBeam(world, 0), &tip = strikeBeam(world, 20);
+		if (isParting)
+			surround(world, tip);
+		for (int i = 0; i < 4; ++i)
+		{
+			world.step(FRAME);
+			btElasticPlasticInnerMotion motion;
+			EXPECT_TRUE(world.action().getInnerMotion(tip, motion)) << "step " << i;
+			EXPECT_TRUE(world.action().getInnerMotion(other, motion)) << "step " << i;
+			places[isParting].push_back(other.getCenterOfMassPosition());
+			places[isParting].push_back(other.getLinearVelocity());
+		}
+	}
+	EXPECT_TRUE(places[0] == places[1]) << "one beam knows nothing of what parts from the other";
+}
+
 TEST(InnerSteps, ThreadsChangeNoBit)
 {
 	std::vector<btVector3> places[2];

@@ -308,6 +308,9 @@ void JointWorks::finishAlone(const double* impulses, const signed char* bounds)
 
 void JointWorks::commitInside()
 {
+	// The registry ends no step of a broken joint that stays in the world until its bodies have parted.
+	if (m_separation.isUnderWay())
+		return;
 	m_isCommittedInside = true;
 	m_outcome |= static_cast<unsigned char>(m_step.commit());
 }
