@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticBonding.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
 #include "support/Close.h"
 #include "support/Run.h"
 #include "world/Place.h"
@@ -172,6 +173,32 @@ TEST(Bonding, CompoundsAreJoinedByTheirChildren)
 	const Faces faces = facesOf(world);
 	ASSERT_EQ(2, faces.size());
 	EXPECT_NEAR(1.5, fabs(faces[0].m_frame.getOrigin().x()), ROUNDING);
+}
+
+TEST(Bonding, BrickWithFibresHangsByItsStrengthInTension)
+{
+	const btElasticPlasticMaterial brick = btElasticPlasticReadyMaterial::find("clay brick");
+	// 0.1 MPa on 1 m^2, against 5 MPa in compression.
+	const double strength = double(brick.m_tensileShare * brick.m_yieldStress);
+	for (const double share : {0.98, 1.02})
+	{
+		World world(Solver::Direct);
+		btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+		world.body(0, cube, at(0));
+		world.body(btScalar(share * strength / 10), cube, at(0, -1));
+		const Faces faces = facesOf(world);
+		ASSERT_EQ(1, faces.size());
+		const btElasticPlasticSection section =
+			btElasticPlasticSection::rectangle(faces[0].m_width, faces[0].m_height).withFibres();
+		const std::unique_ptr<btElasticPlastic6DofSpring2Constraint> joint(Bonding::join(
+			faces[0], btElasticPlasticCapacity::fromMember(brick, section, faces[0].m_lengthA, faces[0].m_lengthB)));
+		world.bullet().addConstraint(joint.get(), true);
+		ASSERT_TRUE(world.action().addJoint(joint.get()));
+		run(world, 240);
+		EXPECT_EQ(share > 1, joint->isBroken()) << share;
+		if (!joint->isBroken())
+			world.bullet().removeConstraint(joint.get());
+	}
 }
 
 TEST(Bonding, AJoinedWallStandsAndFallsWhenItIsWeakened)

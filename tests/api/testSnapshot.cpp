@@ -223,6 +223,50 @@ TEST(Snapshot, InnerStepsGoOnWithTheSameBits)
 	EXPECT_GT(numInner, 1000);
 }
 
+/// Dumb-bells tumble on a box: each of their parts touches and leaves it by itself.
+TEST(Snapshot, CompoundsGoOnWithTheSameBits)
+{
+	const auto fill = [](World& world)
+	{
+		world.body(0, world.box(btVector3(100, 1, 100)), at(0, btScalar(-0.5)));
+		for (int i = 0; i < 3; ++i)
+		{
+			btCompoundShape* const bell = new btCompoundShape(i != 1);
+			for (const double x : {-0.5, 0., 0.5})
+				bell->addChildShape(at(x), world.box(btVector3(1, 1, 1) * btScalar(x == 0 ? 0.2 : 0.4)));
+			world.body(10, world.keep(bell), at(0, 1, 3 * i))->setAngularVelocity(btVector3(1, 2, btScalar(3 + i)));
+		}
+	};
+	World scene, other;
+	fill(scene);
+	fill(other);
+	for (int step = 0; step < 120; ++step)
+	{
+		const Bytes snapshot = save(scene);
+		ASSERT_FALSE(restore(other, snapshot)) << "saved at " << step;
+		EXPECT_EQ(snapshot, save(other)) << "saved at " << step;
+		std::vector<uint64_t> expected, again;
+		for (int i = 0; i < 4; ++i)
+		{
+			run(scene, 1);
+			expected.push_back(hash(scene));
+			run(other, 1);
+			again.push_back(hash(other));
+		}
+		EXPECT_EQ(-1, firstDifference(expected, again)) << "saved at " << step << ", in another world";
+		again.clear();
+		ASSERT_FALSE(restore(scene, snapshot)) << "saved at " << step;
+		for (int i = 0; i < 4; ++i)
+		{
+			run(scene, 1);
+			again.push_back(hash(scene));
+		}
+		EXPECT_EQ(-1, firstDifference(expected, again)) << "saved at " << step << ", in the same world";
+		ASSERT_FALSE(restore(scene, snapshot));
+		run(scene, 1);
+	}
+}
+
 TEST(Snapshot, KeepsUnreadEvents)
 {
 	Collapse scene(Solver::Direct), other(Solver::Direct);

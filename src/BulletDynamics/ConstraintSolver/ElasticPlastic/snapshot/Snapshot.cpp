@@ -12,7 +12,9 @@
 #include "BulletCollision/BroadphaseCollision/btDbvtBroadphase.h"
 #include "BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h"
 #include "BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h"
+#include "BulletCollision/CollisionDispatch/btCompoundCollisionAlgorithm.h"
 #include "BulletCollision/CollisionDispatch/btManifoldResult.h"
+#include "BulletCollision/CollisionShapes/btCompoundShape.h"
 #include "BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h"
 
 namespace btElasticPlastic
@@ -28,6 +30,29 @@ struct WorldParts : btDiscreteDynamicsWorld
 	}
 	static btScalar& leftOverOf(btDiscreteDynamicsWorld& world) { return world.*(&WorldParts::m_localTime); }
 };
+
+struct CompoundParts : btCompoundCollisionAlgorithm
+{
+	static btAlignedObjectArray<btCollisionAlgorithm*>& childrenOf(btCollisionAlgorithm& algorithm)
+	{
+		return static_cast<btCompoundCollisionAlgorithm&>(algorithm).*(&CompoundParts::m_childCollisionAlgorithms);
+	}
+};
+
+/// Which of two objects is a compound that Bullet's dispatcher has an algorithm for that goes child by child. \return -1: none.
+/// That of two compounds shows its children to nobody.
+int compoundOf(const btCollisionObject& a, const btCollisionObject& b)
+{
+	const btCollisionShape* const shapes[2] = {a.getCollisionShape(), b.getCollisionShape()};
+	for (int i = 0; i < 2; ++i)
+	{
+		const int other = shapes[1 - i]->getShapeType();
+		if (shapes[i]->isCompound() && (btBroadphaseProxy::isConvex(other) || btBroadphaseProxy::isConcave(other)) &&
+			other != GIMPACT_SHAPE_PROXYTYPE)
+			return i;
+	}
+	return -1;
+}
 
 /// The highest of Bullet's activation states, FIXED_BASE_MULTI_BODY, which Bullet 2.89 does not name yet.
 const int LAST_ACTIVATION = 6;
@@ -194,6 +219,32 @@ std::vector<EventImage> Snapshot::readEvents() const
 	return images;
 }
 
+namespace
+{
+size_t countManifolds(btCollisionAlgorithm& algorithm)
+{
+	btManifoldArray manifolds;
+	algorithm.getAllContactManifolds(manifolds);
+	return size_t(manifolds.size());
+}
+
+/// As PairImage::m_children. One whose shape has changed since the last step is made anew by Bullet.
+std::vector<int> countOfChildren(const btCollisionObject& a, const btCollisionObject& b,
+								 btCollisionAlgorithm& algorithm)
+{
+	std::vector<int> counts;
+	const int side = compoundOf(a, b);
+	if (side < 0)
+		return counts;
+	const btCollisionShape& shape = *(side == 0 ? a : b).getCollisionShape();
+	const btAlignedObjectArray<btCollisionAlgorithm*>& children = CompoundParts::childrenOf(algorithm);
+	if (children.size() == static_cast<const btCompoundShape&>(shape).getNumChildShapes())
+		for (int i = 0; i < children.size(); ++i)
+			counts.push_back(children[i] ? int(countManifolds(*children[i])) : -1);
+	return counts;
+}
+}  // namespace
+
 std::vector<PairImage> Snapshot::readPairs() const
 {
 	std::vector<PairImage> images;
@@ -207,7 +258,11 @@ std::vector<PairImage> Snapshot::readPairs() const
 		image.m_hasAlgorithm = pairs[i].m_algorithm != nullptr;
 		manifolds.resize(0);
 		if (pairs[i].m_algorithm)
+		{
 			pairs[i].m_algorithm->getAllContactManifolds(manifolds);
+			image.m_children = countOfChildren(*m_objects[size_t(image.m_objects[0])],
+											   *m_objects[size_t(image.m_objects[1])], *pairs[i].m_algorithm);
+		}
 		for (int m = 0; m < manifolds.size(); ++m)
 		{
 			image.m_manifolds.emplace_back();
@@ -396,6 +451,13 @@ bool Snapshot::arePairsSound(const WorldImage& image) const
 		const int a = pair.m_objects[0], b = pair.m_objects[1];
 		// By uid, and so by rank, as Bullet keeps them.
 		if (a < 0 || b <= a || size_t(b) >= m_objects.size() || seen[keyOf(a, b)]++)
+			return false;
+		const int side = compoundOf(*m_objects[size_t(a)], *m_objects[size_t(b)]);
+		const btCollisionShape* const compound =
+			side < 0 ? nullptr : m_objects[size_t(pair.m_objects[side])]->getCollisionShape();
+		if (!pair.m_children.empty() &&
+			(!compound ||
+			 int(pair.m_children.size()) != static_cast<const btCompoundShape*>(compound)->getNumChildShapes()))
 			return false;
 		for (const ManifoldImage& manifold : pair.m_manifolds)
 		{
@@ -606,15 +668,57 @@ btCollisionAlgorithm* Snapshot::makeAlgorithm(const PairImage& image) const
 	const btCollisionObjectWrapper second(nullptr, b.getCollisionShape(), &b, b.getWorldTransform(), -1, -1);
 	btCollisionAlgorithm* const algorithm =
 		m_world.getDispatcher()->findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
-	btManifoldArray manifolds;
-	if (algorithm)
-		algorithm->getAllContactManifolds(manifolds);
-	if (algorithm && size_t(manifolds.size()) < image.m_manifolds.size())
+	if (algorithm && image.m_children.empty() && countManifolds(*algorithm) < image.m_manifolds.size())
 	{
 		btManifoldResult result(&first, &second);
 		algorithm->processCollision(&first, &second, m_world.getDispatchInfo(), &result);
 	}
 	return algorithm;
+}
+
+/// The same for a child of a compound, as Bullet makes it.
+btCollisionAlgorithm* Snapshot::makeChild(const PairImage& image, int child) const
+{
+	btCollisionObject &a = *m_objects[size_t(image.m_objects[0])], &b = *m_objects[size_t(image.m_objects[1])];
+	const Colliding colliding(a, b);
+	const bool isSwapped = compoundOf(a, b) == 1;
+	btCollisionObject &object = isSwapped ? b : a, &other = isSwapped ? a : b;
+	const btCompoundShape& shape = *static_cast<const btCompoundShape*>(object.getCollisionShape());
+	const btTransform place = object.getWorldTransform() * shape.getChildTransform(child);
+	const btCollisionObjectWrapper whole(nullptr, &shape, &object, object.getWorldTransform(), -1, -1);
+	const btCollisionObjectWrapper first(&whole, shape.getChildShape(child), &object, place, -1, child);
+	const btCollisionObjectWrapper second(nullptr, other.getCollisionShape(), &other, other.getWorldTransform(), -1,
+										  -1);
+	btCollisionAlgorithm* const algorithm =
+		m_world.getDispatcher()->findAlgorithm(&first, &second, nullptr, BT_CONTACT_POINT_ALGORITHMS);
+	if (algorithm && int(countManifolds(*algorithm)) < image.m_children[size_t(child)])
+	{
+		btManifoldResult result(&first, &second);
+		algorithm->processCollision(&first, &second, m_world.getDispatchInfo(), &result);
+	}
+	return algorithm;
+}
+
+void Snapshot::destroy(btCollisionAlgorithm* algorithm) const
+{
+	if (!algorithm)
+		return;
+	algorithm->~btCollisionAlgorithm();
+	m_world.getDispatcher()->freeCollisionAlgorithm(algorithm);
+}
+
+/// A compound has algorithms for those children alone that were near the other object in the last step.
+void Snapshot::writeChildren(const PairImage& image, btCollisionAlgorithm& algorithm) const
+{
+	btAlignedObjectArray<btCollisionAlgorithm*>& children = CompoundParts::childrenOf(algorithm);
+	for (int i = 0; i < children.size(); ++i)
+	{
+		const int count = image.m_children[size_t(i)];
+		if (children[i] && int(countManifolds(*children[i])) == count)
+			continue;
+		destroy(children[i]);
+		children[i] = count < 0 ? nullptr : makeChild(image, i);
+	}
 }
 
 /// Pairs come back in their order with the algorithms that they have, if these have as many manifolds as they had.
@@ -632,13 +736,6 @@ void Snapshot::writePairs(const WorldImage& image)
 		pair.m_algorithm = nullptr;
 		cache.removeOverlappingPair(pair.m_pProxy0, pair.m_pProxy1, &dispatcher);
 	}
-	const auto destroy = [&](btCollisionAlgorithm* algorithm)
-	{
-		if (!algorithm)
-			return;
-		algorithm->~btCollisionAlgorithm();
-		dispatcher.freeCollisionAlgorithm(algorithm);
-	};
 	btManifoldArray manifolds;
 	std::vector<std::pair<int, btPersistentManifold*>> places;
 	for (const PairImage& from : image.m_pairs)
@@ -649,16 +746,21 @@ void Snapshot::writePairs(const WorldImage& image)
 		if (!pair)
 			continue;
 		btCollisionAlgorithm*& kept = algorithms[keyOf(from.m_objects[0], from.m_objects[1])];
-		manifolds.resize(0);
-		if (kept)
-			kept->getAllContactManifolds(manifolds);
-		if (kept && (!from.m_hasAlgorithm || size_t(manifolds.size()) != from.m_manifolds.size()))
+		const bool goesByChildren = !from.m_children.empty();
+		const auto isLike = [&](btCollisionAlgorithm& algorithm)
+		{
+			return goesByChildren ? CompoundParts::childrenOf(algorithm).size() == int(from.m_children.size())
+								  : countManifolds(algorithm) == from.m_manifolds.size();
+		};
+		if (kept && (!from.m_hasAlgorithm || !isLike(*kept)))
 		{
 			destroy(kept);
 			kept = nullptr;
 		}
 		pair->m_algorithm = kept || !from.m_hasAlgorithm ? kept : makeAlgorithm(from);
 		kept = nullptr;
+		if (pair->m_algorithm && goesByChildren)
+			writeChildren(from, *pair->m_algorithm);
 		manifolds.resize(0);
 		if (pair->m_algorithm)
 			pair->m_algorithm->getAllContactManifolds(manifolds);

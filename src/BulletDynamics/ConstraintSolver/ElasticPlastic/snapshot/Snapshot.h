@@ -67,6 +67,9 @@ private:
 	void writeObjects(const WorldImage& image);
 	void writePairs(const WorldImage& image);
 	btCollisionAlgorithm* makeAlgorithm(const PairImage& image) const;
+	btCollisionAlgorithm* makeChild(const PairImage& image, int child) const;
+	void destroy(btCollisionAlgorithm* algorithm) const;
+	void writeChildren(const PairImage& image, btCollisionAlgorithm& algorithm) const;
 
 	btDiscreteDynamicsWorld& m_world;
 	btDbvtBroadphase& m_broadphase;

@@ -255,6 +255,8 @@ struct PairImage
 {
 	int m_objects[2] = {0, 0};
 	bool m_hasAlgorithm = false;
+	std::vector<int>
+		m_children;  ///< numbers of manifolds of a compound's children, -1: no algorithm; of other pairs none
 	std::vector<ManifoldImage> m_manifolds;
 };
 
@@ -263,8 +265,10 @@ void transfer(Archive& archive, PairImage& image)
 {
 	transfer(archive, image.m_objects);
 	archive(image.m_hasAlgorithm);
-	if (image.m_hasAlgorithm)
-		transferList(archive, image.m_manifolds);
+	if (!image.m_hasAlgorithm)
+		return;
+	transferNumbers(archive, image.m_children);
+	transferList(archive, image.m_manifolds);
 }
 
 /// A node of one of the broadphase's trees. A tree's nodes stand in the order of a walk that goes to the first child first.
