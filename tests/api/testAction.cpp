@@ -259,6 +259,18 @@ TEST(Action, DoesNothingToJointsThatWereNotSolved)
 	EXPECT_EQ(before.m_force[0], row.m_joints[0]->getState().m_force[0]);
 }
 
+TEST(Action, NullIsNoneOfItsJoints)
+{
+	Row row(1);
+	btElasticPlasticAction& action = row.m_world.action();
+	EXPECT_EQ(nullptr, btElasticPlasticJoint::from(nullptr));
+	EXPECT_FALSE(action.addJoint(nullptr));
+	EXPECT_FALSE(action.breakJoint(row.m_world.bullet(), nullptr));
+	EXPECT_FALSE(action.repair(nullptr));
+	action.removeJoint(nullptr);
+	EXPECT_EQ(1, action.getNumJoints());
+}
+
 TEST(Action, StatesCanBeSavedAndPutBack)
 {
 	Row row(1, Solver::Iterative, 10);

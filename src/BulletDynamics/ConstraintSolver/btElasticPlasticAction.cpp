@@ -26,8 +26,16 @@ btElasticPlasticAction::btElasticPlasticAction(btElasticPlasticOwnPrecision)
 }
 btElasticPlasticAction::~btElasticPlasticAction() { delete m_registry; }
 
-bool btElasticPlasticAction::addJoint(btElasticPlasticJoint* joint) { return m_registry->add(*joint->m_works); }
-void btElasticPlasticAction::removeJoint(btElasticPlasticJoint* joint) { m_registry->remove(*joint->m_works); }
+bool btElasticPlasticAction::addJoint(btElasticPlasticJoint* joint)
+{
+	return joint && m_registry->add(*joint->m_works);
+}
+
+void btElasticPlasticAction::removeJoint(btElasticPlasticJoint* joint)
+{
+	if (joint)
+		m_registry->remove(*joint->m_works);
+}
 
 void btElasticPlasticAction::removeBody(btDynamicsWorld& world, btRigidBody& body)
 {
@@ -36,10 +44,13 @@ void btElasticPlasticAction::removeBody(btDynamicsWorld& world, btRigidBody& bod
 
 bool btElasticPlasticAction::breakJoint(btDynamicsWorld& world, btElasticPlasticJoint* joint)
 {
-	return m_registry->breakJoint(world, *joint->m_works);
+	return joint && m_registry->breakJoint(world, *joint->m_works);
 }
 
-bool btElasticPlasticAction::repair(btElasticPlasticJoint* joint) { return m_registry->repair(*joint->m_works); }
+bool btElasticPlasticAction::repair(btElasticPlasticJoint* joint)
+{
+	return joint && m_registry->repair(*joint->m_works);
+}
 
 int btElasticPlasticAction::getNumJoints() { return m_registry->getNumJoints(); }
 int btElasticPlasticAction::getNumBroken() const { return m_registry->getNumBroken(); }

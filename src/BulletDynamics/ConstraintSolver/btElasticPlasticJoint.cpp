@@ -26,7 +26,7 @@ btElasticPlasticJoint::~btElasticPlasticJoint()
 
 btElasticPlasticJoint* btElasticPlasticJoint::from(btTypedConstraint* constraint, btElasticPlasticOwnPrecision)
 {
-	const JointWorks* const works = JointWorks::from(constraint);
+	const JointWorks* const works = constraint ? JointWorks::from(constraint) : nullptr;
 	return works ? &works->m_joint : nullptr;
 }
 
