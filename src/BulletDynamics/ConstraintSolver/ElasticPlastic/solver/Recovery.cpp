@@ -140,12 +140,16 @@ void Recovery::push(const SolverPools& pools, int sweeps)
 		}
 }
 
-/// Makes joints stiff and without bounds. Where nothing is recovered their impulses and velocities are those of the first solution.
-void Recovery::stiffen(SystemInput& input)
+/// Makes joints stiff and without bounds, but for those far from what happens in a large structure: what they are condensed to holds on.
+/// Where nothing is recovered their impulses and velocities are those of the first solution.
+void Recovery::stiffen(const System& system, SystemInput& input)
 {
+	const auto stays = [&](const SystemInput::Unit& unit) { return system.isElsewhere(unit.m_firstRow); };
 	m_share.assign(size_t(input.getNumRows()), 1.);
 	for (const SystemInput::Unit& unit : input.m_units)
 	{
+		if (stays(unit))
+			continue;
 		double least = 1;
 		for (int i = 0; i < unit.m_numRows; ++i)
 		{
@@ -171,7 +175,7 @@ void Recovery::stiffen(SystemInput& input)
 	std::vector<double> targets;
 	project(input, m_first.m_velocity, targets);
 	for (const SystemInput::Unit& unit : input.m_units)
-		for (size_t r = size_t(unit.m_firstRow); r < size_t(unit.m_firstRow + unit.m_numRows); ++r)
+		for (size_t r = size_t(unit.m_firstRow); !stays(unit) && r < size_t(unit.m_firstRow + unit.m_numRows); ++r)
 		{
 			SystemInput::Bounded& row = input.m_rows[r];
 			row.m_compliance *= m_share[r];
@@ -194,7 +198,7 @@ void Recovery::stiffen(SystemInput& input)
 	}
 	m_second = m_first;
 	for (const SystemInput::Unit& unit : input.m_units)
-		for (size_t r = size_t(unit.m_firstRow); r < size_t(unit.m_firstRow + unit.m_numRows); ++r)
+		for (size_t r = size_t(unit.m_firstRow); !stays(unit) && r < size_t(unit.m_firstRow + unit.m_numRows); ++r)
 		{
 			SystemInput::Bounded& row = input.m_rows[r];
 			row.m_target = targets[r];
@@ -210,9 +214,9 @@ bool Recovery::solveJoined(System& system, SystemInput& input, const std::vector
 {
 	m_first = system.getResult();
 	input.m_rows = m_rows;
-	stiffen(input);
+	stiffen(system, input);
 	system.setResult(m_second);
-	system.forgetMatrix();
+	system.beginAside();
 	for (const JoinedContact& contact : m_joined)
 	{
 		SystemInput::Bounded& row = input.m_rows[size_t(contact.m_row)];
@@ -227,7 +231,7 @@ bool Recovery::solveJoined(System& system, SystemInput& input, const std::vector
 	const bool isSolved = system.solveAgain(input, System::PLAIN);
 	m_second = system.getResult();
 	system.setResult(m_first);
-	system.forgetMatrix();
+	system.endAside();
 	return isSolved;
 }
 

@@ -76,7 +76,7 @@ private:
 	};
 
 	void push(const SolverPools& pools, int sweeps);
-	void stiffen(SystemInput& input);
+	void stiffen(const System& system, SystemInput& input);
 	bool solveJoined(System& system, SystemInput& input, const std::vector<double>& push);
 
 	bool m_isAsked = false;

@@ -94,23 +94,38 @@ void System::beginStep(bool isOneOfMany)
 	m_place->m_inside.beginStep(isOneOfMany);
 }
 
-void System::forgetMatrix()
-{
-	forgetFactor();
-	// What is condensed has the compliances of before.
-	if (m_place)
-		m_place->m_condensation.clear();
-}
-
 void System::forgetFactor()
 {
 	m_matrixIsCurrent = false;
 	m_linearSolver.forgetFactor();
 }
 
+void System::beginAside()
+{
+	m_isAside = true;
+	m_hasFactorAside = m_matrixIsCurrent = false;
+}
+
+void System::endAside()
+{
+	m_isAside = false;
+	if (m_hasFactorAside)
+		forgetFactor();
+}
+
+bool System::isElsewhere(int row) const
+{
+	return m_place && !m_place->m_condensation.isEmpty() && !m_place->m_condensation.isRowInside(row);
+}
+
 /// x = H^-1 x for the rows' present bounds.
 bool System::solveLinear(const SystemInput& input, std::vector<double>& x)
 {
+	if (m_isAside && !m_hasFactorAside)
+	{
+		m_hasFactorAside = true;
+		forgetFactor();
+	}
 	if (!m_matrixIsCurrent)
 	{
 		const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);

@@ -77,8 +77,13 @@ public:
 	/// \return as solve(); false, too, if the effort was PLAIN and it was given up: then the result means nothing
 	bool solveAgain(SystemInput& input, Effort effort);
 
-	/// To be called where H changes beside the rows' bounds: compliances, or a problem that has been solved in between.
-	void forgetMatrix();
+	/// Between these two solutions have other compliances of rows that are not elsewhere. What is elsewhere stays condensed, and the factor
+	/// of before is kept if no other has been needed.
+	void beginAside();
+	void endAside();
+
+	/// Whether a row is far from where a large problem is being searched: taken as linear, and condensed.
+	bool isElsewhere(int row) const;
 
 	/// Whether the last search was cut.
 	bool isCut() const { return m_isCut; }
@@ -159,6 +164,7 @@ private:
 	bool m_insideHasSolved = false, m_isCut = false;
 	bool m_interiorHasSolved = false, m_isHard = false, m_hasSearched = false;
 	bool m_boundsChanged = false;    // by the last evaluate()
+	bool m_isAside = false, m_hasFactorAside = false;
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
 	std::vector<double> m_velocity;  // dv
 	std::vector<double> m_residual;  // -gradient of (2) at dv
