@@ -79,7 +79,7 @@ void findShares(const btElasticPlasticSection& section, btAlignedObjectArray<dou
 }
 
 /// A piece of a section: what it is made of, and its stiffness over the length.
-struct Piece
+struct SectionPiece
 {
 	const btElasticPlasticSectionFibre& m_from;
 	const btElasticPlasticMaterial& m_material;
@@ -129,7 +129,7 @@ double hardeningAt(const btElasticPlasticMaterial& material, double strain)
 // together with the slopes T_j from u_(j-1) to u_j, T_1 = beta H_1 / (p_1 + beta H_1 / k), so that one with T_j - T_(j+1) yields at
 // each u_j. All this is exact in one direction, and in cycles where hardening is linear or all of one kind.
 
-void addHardening(btElasticPlasticCapacity& capacity, const Piece& piece)
+void addHardening(btElasticPlasticCapacity& capacity, const SectionPiece& piece)
 {
 	const btElasticPlasticMaterial& material = piece.m_material;
 	const double strains[2] = {material.m_ultimatePlasticStrain, material.m_crushingStrain > 0
