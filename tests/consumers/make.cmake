@@ -3,6 +3,7 @@
 
 install_library()
 find_program(make NAMES gmake make REQUIRED)
+find_program(cc NAMES cc gcc clang)
 foreach(precision IN LISTS precisions)
 	set(package bullet-elastic-plastic)
 	if(precision STREQUAL double)
@@ -16,6 +17,13 @@ foreach(precision IN LISTS precisions)
 	expect("${work}/before-${precision}" "height of 9.8 m")
 	# The ball bends the mast.
 	expect("${work}/after-${precision}" "height of 9.[5-8] m.*bent by -0.1[0-9] rad, damage 0.0[1-9]")
+	# A program in C knows nothing of C++, nor does its linker.
+	if(cc)
+		list(JOIN flags " " c_flags)
+		run("${CMAKE_COMMAND}" -E env "PKG_CONFIG_PATH=${prefix}/${libraries}/pkgconfig" sh -c
+			"${cc} -std=c99 ${c_flags} '${sources}/c/sample.c' $(pkg-config --cflags --libs ${package}) -o '${work}/sample-${precision}'")
+		expect("${work}/sample-${precision}" "0.329 s: event 1 of joint 3, 401[0-9] J")
+	endif()
 endforeach()
 
 # The documentation shows what was changed: the lines of diff that begin with - and +.
