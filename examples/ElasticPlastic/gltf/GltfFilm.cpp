@@ -6,12 +6,13 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <stdexcept>
 
-#include "gltf/Triangles.h"
+#include "gltf/Members.h"
 #include "world/JointReading.h"
 
 namespace ep
@@ -19,6 +20,8 @@ namespace ep
 namespace
 {
 using Value = tinygltf::Value;
+
+const btScalar BENT = btScalar(.001);  // [rad], or of its length: a member that is bent less is drawn as it is
 
 /// Numbers in the file's one buffer, in groups of some components.
 class Writer
@@ -30,22 +33,10 @@ public:
 	int add(const std::vector<float>& numbers, int components, int target = 0)
 	{
 		static const std::map<int, int> types = {
-			{1, TINYGLTF_TYPE_SCALAR}, {3, TINYGLTF_TYPE_VEC3}, {4, TINYGLTF_TYPE_VEC4}};
-		std::vector<unsigned char>& data = m_model.buffers[0].data;
-		tinygltf::BufferView view;
-		view.buffer = 0;
-		view.byteOffset = data.size();
-		view.byteLength = numbers.size() * sizeof(float);
-		view.target = target;
-		data.resize(data.size() + view.byteLength);
-		if (!numbers.empty())
-			std::memcpy(&data[view.byteOffset], numbers.data(), view.byteLength);
-		m_model.bufferViews.push_back(view);
-		tinygltf::Accessor accessor;
-		accessor.bufferView = int(m_model.bufferViews.size()) - 1;
-		accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
-		accessor.type = types.at(components);
-		accessor.count = numbers.size() / size_t(components);
+			{1, TINYGLTF_TYPE_SCALAR}, {3, TINYGLTF_TYPE_VEC3}, {4, TINYGLTF_TYPE_VEC4}, {16, TINYGLTF_TYPE_MAT4}};
+		tinygltf::Accessor& accessor =
+			add(numbers.data(), numbers.size() * sizeof(float), numbers.size() / size_t(components),
+				TINYGLTF_COMPONENT_TYPE_FLOAT, types.at(components), target);
 		// The format asks for the range of places and times.
 		for (int i = 0; i < components && accessor.count > 0; ++i)
 		{
@@ -58,11 +49,39 @@ public:
 			accessor.minValues.push_back(double(low));
 			accessor.maxValues.push_back(double(high));
 		}
-		m_model.accessors.push_back(accessor);
+		return int(m_model.accessors.size()) - 1;
+	}
+
+	/// The joints of a skin that a corner follows, four of each.
+	int addJoints(const std::vector<unsigned char>& joints)
+	{
+		add(joints.data(), joints.size(), joints.size() / 4, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
+			TINYGLTF_TARGET_ARRAY_BUFFER);
 		return int(m_model.accessors.size()) - 1;
 	}
 
 private:
+	tinygltf::Accessor& add(const void* values, size_t bytes, size_t count, int component, int type, int target)
+	{
+		std::vector<unsigned char>& data = m_model.buffers[0].data;
+		tinygltf::BufferView view;
+		view.buffer = 0;
+		view.byteOffset = data.size();
+		view.byteLength = bytes;
+		view.target = target;
+		data.resize(data.size() + bytes);
+		if (bytes > 0)
+			std::memcpy(&data[view.byteOffset], values, bytes);
+		m_model.bufferViews.push_back(view);
+		tinygltf::Accessor accessor;
+		accessor.bufferView = int(m_model.bufferViews.size()) - 1;
+		accessor.componentType = component;
+		accessor.type = type;
+		accessor.count = count;
+		m_model.accessors.push_back(accessor);
+		return m_model.accessors.back();
+	}
+
 	tinygltf::Model& m_model;
 };
 
@@ -71,6 +90,23 @@ void append(std::vector<float>& numbers, const btVector3& v)
 	for (int i = 0; i < 3; ++i)
 		numbers.push_back(float(v[i]));
 }
+
+/// A pose over time.
+struct Track
+{
+	std::vector<float> places, turns;
+	btQuaternion last = btQuaternion(0, 0, 0, 1);
+
+	void add(const btTransform& pose)
+	{
+		append(places, pose.getOrigin());
+		// The nearer one of the two that are the same turn: between pictures it is turned the short way.
+		const btQuaternion turn = pose.getRotation();
+		last = turn.dot(last) < 0 ? -turn : turn;
+		append(turns, btVector3(last.x(), last.y(), last.z()));
+		turns.push_back(float(last.w()));
+	}
+};
 
 int addMaterial(tinygltf::Model& model, const SceneDescription::Body& body)
 {
@@ -84,9 +120,8 @@ int addMaterial(tinygltf::Model& model, const SceneDescription::Body& body)
 	return int(model.materials.size()) - 1;
 }
 
-int addMesh(tinygltf::Model& model, Writer& writer, const SceneDescription::Body& body)
+int addMesh(tinygltf::Model& model, Writer& writer, const SceneDescription::Body& body, const Triangles& triangles)
 {
-	const Triangles triangles = trianglesOf(body.shape);
 	std::vector<float> places, normals;
 	for (size_t i = 0; i < triangles.corners.size(); ++i)
 	{
@@ -169,24 +204,31 @@ void GltfFilm::step()
 void GltfFilm::record()
 {
 	const Simulation& s = m_simulation;
-	Frame frame = {s.time(), {}, {}, {}};
+	Frame frame = {s.time(), {}, {}, {}, {}};
 	for (size_t i = 0; i < s.scene().bodies.size(); ++i)
 	{
 		frame.poses.push_back(s.poseOf(int(i)));
 		frame.areThere.push_back(s.isThere(int(i)));
 	}
 	for (size_t i = 0; i < s.scene().joints.size(); ++i)
-		frame.utilisations.push_back(
-			s.joint(int(i)) && !s.isCut(int(i)) ? float(readJoint(s.world(), *s.joint(int(i))).utilisation) : 0);
+	{
+		const auto& bodies = s.scene().joints[i].bodies;
+		const bool isHeld = s.joint(int(i)) && !s.isCut(int(i));
+		frame.utilisations.push_back(isHeld ? float(readJoint(s.world(), *s.joint(int(i))).utilisation) : 0);
+		frame.areWhole.push_back(isHeld && !s.isBroken(int(i)) &&
+								 std::all_of(bodies, bodies + 2,
+											 [&](int body)
+											 { return body == SceneDescription::WORLD || s.isThere(body); }));
+	}
 	m_frames.push_back(frame);
 }
 
-/// Makes the file's model: bodies are the first nodes, in their order.
+/// Makes the file's model: bodies are the first nodes, in their order, then come joints, then what bends members.
 class GltfFilm::Model
 {
 public:
 	Model(const Simulation& simulation, const std::vector<Frame>& frames)
-		: m_simulation(simulation), m_frames(frames), m_writer(m_model)
+		: m_simulation(simulation), m_frames(frames), m_bends(bendsIn(simulation, frames)), m_writer(m_model)
 	{
 		m_model.asset.version = "2.0";
 		m_model.asset.generator = "Bullet Elastic-Plastic";
@@ -198,6 +240,8 @@ public:
 			addBody(i);
 		for (size_t i = 0; i < frames.front().utilisations.size(); ++i)
 			addJoint(i);
+		for (const Bend& bend : m_bends)
+			addBend(bend);
 		addScene();
 	}
 
@@ -211,13 +255,81 @@ public:
 	}
 
 private:
+	/// How a member is bent: its ends in the frame of its body, picture by picture; none: the end goes with the body.
+	struct Bend
+	{
+		Member member;
+		std::vector<btTransform> ends[2];
+	};
+
+	/// Members come in the order of their bodies.
+	struct Order
+	{
+		bool operator()(const Bend& bend, int body) const { return bend.member.body < body; }
+		bool operator()(int body, const Bend& bend) const { return body < bend.member.body; }
+	};
+
 	const SceneDescription& scene() const { return m_simulation.scene(); }
+
+	/// Of those members that are bent at all.
+	static std::vector<Bend> bendsIn(const Simulation& simulation, const std::vector<Frame>& frames)
+	{
+		const SceneDescription& scene = simulation.scene();
+		const std::vector<Member> members = membersOf(scene);
+		std::vector<bool> areMembers(scene.bodies.size());
+		for (const Member& member : members)
+			areMembers[size_t(member.body)] = true;
+		std::vector<Bend> bends;
+		for (const Member& member : members)
+		{
+			Bend bend = {member, {}};
+			for (int end = 0; end < 2; ++end)
+				if (member.joints[end] != Member::NONE)
+				{
+					const int other = otherBodyOf(scene, member, end);
+					bend.ends[end] = endsOver(scene, member, end,
+											  other != SceneDescription::WORLD && areMembers[size_t(other)], frames);
+				}
+			if (!bend.ends[0].empty() || !bend.ends[1].empty())
+				bends.push_back(bend);
+		}
+		return bends;
+	}
+
+	/// \return empty: it never goes far from where it is without load; a turn is measured over the member's length
+	static std::vector<btTransform> endsOver(const SceneDescription& scene, const Member& member, int end,
+											 bool isOtherMember, const std::vector<Frame>& frames)
+	{
+		const btVector3& size = scene.bodies[size_t(member.body)].shape.size;
+		const btTransform straight = straightEndOf(scene, member, end);
+		std::vector<btTransform> ends;
+		btTransform last = straight;
+		btScalar furthest = 0;
+		for (const Frame& frame : frames)
+		{
+			// What has torn stays bent.
+			if (frame.areWhole[size_t(member.joints[end])])
+				last = endOf(scene, member, end, isOtherMember, frame.poses);
+			ends.push_back(last);
+			const btTransform moved = last * straight.inverse();
+			for (int corner = 0; corner < 8; ++corner)
+			{
+				const btVector3 place =
+					size / 2 * btVector3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+				furthest = btMax(furthest, (moved * place).distance(place));
+			}
+		}
+		if (furthest < BENT * size[member.axis])
+			ends.clear();
+		return ends;
+	}
 
 	void addBody(size_t i)
 	{
 		tinygltf::Node node;
 		node.name = scene().bodies[i].name;
-		node.mesh = addMesh(m_model, m_writer, scene().bodies[i]);
+		if (!std::binary_search(m_bends.begin(), m_bends.end(), int(i), Order()))
+			node.mesh = addMesh(m_model, m_writer, scene().bodies[i], trianglesOf(scene().bodies[i].shape));
 		setPose(node, m_frames.front().poses[i]);
 		m_model.nodes.push_back(node);
 		if (scene().bodies[i].motion != SceneDescription::Motion::Static)
@@ -226,28 +338,89 @@ private:
 
 	void addTracks(size_t i)
 	{
-		std::vector<float> places, turns, scales;
-		btQuaternion last = m_frames.front().poses[i].getRotation();
+		Track track;
+		std::vector<float> scales;
 		bool isAlwaysThere = true;
 		for (const Frame& frame : m_frames)
 		{
-			append(places, frame.poses[i].getOrigin());
-			// The nearer one of the two that are the same turn: between pictures it
-			// is turned the short way.
-			btQuaternion turn = frame.poses[i].getRotation();
-			turn = turn.dot(last) < 0 ? -turn : turn;
-			last = turn;
-			append(turns, btVector3(turn.x(), turn.y(), turn.z()));
-			turns.push_back(float(turn.w()));
+			track.add(frame.poses[i]);
 			const btScalar scale = frame.areThere[i] ? btScalar(1) : btScalar(0);
 			append(scales, btVector3(scale, scale, scale));
 			isAlwaysThere &= frame.areThere[i];
 		}
-		addTrack(m_animation, int(i), "translation", "LINEAR", m_times, m_writer.add(places, 3));
-		addTrack(m_animation, int(i), "rotation", "LINEAR", m_times, m_writer.add(turns, 4));
+		addPoses(int(i), track);
 		// What is not in the world has no size: it comes and goes at once.
 		if (!isAlwaysThere)
 			addTrack(m_animation, int(i), "scale", "STEP", m_times, m_writer.add(scales, 3));
+	}
+
+	void addPoses(int node, const Track& track)
+	{
+		addTrack(m_animation, node, "translation", "LINEAR", m_times, m_writer.add(track.places, 3));
+		addTrack(m_animation, node, "rotation", "LINEAR", m_times, m_writer.add(track.turns, 4));
+	}
+
+	/// A skin between bones: one that stays with the body, and one at each end that is bent.
+	void addBend(const Bend& bend)
+	{
+		const SceneDescription::Body& body = scene().bodies[size_t(bend.member.body)];
+		tinygltf::Skin skin;
+		skin.name = body.name;
+		std::vector<float> inverses;
+		unsigned char bones[2] = {0, 0};
+		addBone(skin, inverses, bend.member.body, btTransform::getIdentity());
+		for (int end = 0; end < 2; ++end)
+			if (!bend.ends[end].empty())
+			{
+				bones[end] = (unsigned char)(skin.joints.size());
+				addBone(skin, inverses, bend.member.body, straightEndOf(scene(), bend.member, end));
+				Track track;
+				for (const btTransform& pose : bend.ends[end])
+					track.add(pose);
+				addPoses(skin.joints.back(), track);
+			}
+		skin.inverseBindMatrices = m_writer.add(inverses, 16);
+		m_model.skins.push_back(skin);
+		tinygltf::Node node;
+		node.name = body.name + "/bent";
+		node.mesh = addBentMesh(bend.member, bones);
+		node.skin = int(m_model.skins.size()) - 1;
+		m_model.nodes.push_back(node);
+		m_bentNodes.push_back(int(m_model.nodes.size()) - 1);
+	}
+
+	void addBone(tinygltf::Skin& skin, std::vector<float>& inverses, int body, const btTransform& pose)
+	{
+		tinygltf::Node node;
+		node.name = scene().bodies[size_t(body)].name + "/bone-" + std::to_string(skin.joints.size());
+		setPose(node, pose);
+		btScalar inverse[16];
+		pose.inverse().getOpenGLMatrix(inverse);
+		inverses.insert(inverses.end(), inverse, inverse + 16);
+		skin.joints.push_back(int(m_model.nodes.size()));
+		m_model.nodes[size_t(body)].children.push_back(int(m_model.nodes.size()));
+		m_model.nodes.push_back(node);
+	}
+
+	/// \param bones  of the ends; 0: the body's
+	int addBentMesh(const Member& member, const unsigned char (&bones)[2])
+	{
+		const SceneDescription::Body& body = scene().bodies[size_t(member.body)];
+		const MemberSurface surface = surfaceOf(member, body.shape.size);
+		std::vector<unsigned char> joints;
+		std::vector<float> weights;
+		for (btScalar share : surface.shares)
+		{
+			const unsigned char bone = bones[share > 0];
+			const float weight = bone > 0 ? std::fabs(float(share)) : 0;
+			joints.insert(joints.end(), {0, (unsigned char)(weight > 0 ? bone : 0), 0, 0});
+			weights.insert(weights.end(), {1 - weight, weight, 0, 0});
+		}
+		const int mesh = addMesh(m_model, m_writer, body, surface.triangles);
+		auto& attributes = m_model.meshes[size_t(mesh)].primitives[0].attributes;
+		attributes["JOINTS_0"] = m_writer.addJoints(joints);
+		attributes["WEIGHTS_0"] = m_writer.add(weights, 4, TINYGLTF_TARGET_ARRAY_BUFFER);
+		return mesh;
 	}
 
 	void addJoint(size_t i)
@@ -255,7 +428,8 @@ private:
 		const SceneDescription::Joint& joint = scene().joints[i];
 		const size_t body = size_t(joint.bodies[joint.bodies[1] == SceneDescription::WORLD ? 0 : 1]);
 		tinygltf::Node node;
-		node.name = joint.name;
+		// A joint may have the name of a body, which then has it in Blender, too.
+		node.name = joint.name + "/joint";
 		setPose(node, scene().bodies[body].pose.inverse() * joint.frame);
 		std::vector<double> used;
 		for (const Frame& frame : m_frames)
@@ -275,6 +449,7 @@ private:
 		root.name = m_animation.name = scene().title;
 		for (size_t i = 0; i < m_frames.front().poses.size(); ++i)
 			root.nodes.push_back(int(i));
+		root.nodes.insert(root.nodes.end(), m_bentNodes.begin(), m_bentNodes.end());
 		std::vector<double> times;
 		for (const Frame& frame : m_frames)
 			times.push_back(frame.time);
@@ -290,6 +465,8 @@ private:
 
 	const Simulation& m_simulation;
 	const std::vector<Frame>& m_frames;
+	const std::vector<Bend> m_bends;
+	std::vector<int> m_bentNodes;  // meshes with a skin
 	tinygltf::Model m_model;
 	Writer m_writer;
 	tinygltf::Animation m_animation;

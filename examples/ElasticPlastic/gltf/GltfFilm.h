@@ -11,7 +11,8 @@
 namespace ep
 {
 /// A simulation as a glTF 2.0 file (GLB): a node with a mesh for each body and its track, and a node for each joint, at the body that holds
-/// it, with its utilisation over time as "extras"; breaks and other events are extras of the scene.
+/// it, with its utilisation over time as "extras"; breaks and other events are extras of the scene. Members that are bent have a skin, by which
+/// they look bent.
 class GltfFilm
 {
 public:
@@ -31,6 +32,7 @@ private:
 		std::vector<btTransform> poses;  ///< of bodies
 		std::vector<bool> areThere;
 		std::vector<float> utilisations;  ///< of joints
+		std::vector<bool> areWhole;       ///< joints of ours that hold their bodies
 	};
 
 	class Model;
