@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Callable, Dict, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, TypeVar, Union
+from typing import (Any, Callable, Dict, Generic, Iterable, Iterator, List, Mapping, NamedTuple, NoReturn, Optional, Sequence, Tuple,
+					TypeVar, Union, overload)
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -36,7 +37,8 @@ class Event(NamedTuple):
 
 
 Listener = Callable[["Scene", Event], None]
-Thing = TypeVar("Thing")
+Value = TypeVar("Value")
+Part = TypeVar("Part", bound="Thing")
 
 
 def as_json(value: object) -> str:
@@ -96,8 +98,38 @@ class Readings(Mapping[str, Vector]):
 		return f"<{self._what}s: {', '.join(self)}>"
 
 
-class Body:
-	"""A body of a scene, as it is now. Made by Scene.body()."""
+def as_array(value: Any) -> Vector:
+	return np.array(value)
+
+
+def as_pair(value: Any) -> Tuple[str, str]:
+	first, second = value
+	return first, second
+
+
+class Reading(Generic[Value]):
+	"""What a body or joint tells of itself now, under the name of the attribute."""
+
+	def __init__(self, read: Callable[[Any], Value], text: str) -> None:
+		self._read, self.__doc__ = read, text
+
+	def __set_name__(self, owner: type, name: str) -> None:
+		self._name = name
+
+	@overload
+	def __get__(self, thing: None, owner: type) -> Reading[Value]: ...
+	@overload
+	def __get__(self, thing: Thing, owner: type) -> Value: ...
+
+	def __get__(self, thing: Optional[Thing], owner: type) -> Union[Reading[Value], Value]:
+		return self if thing is None else self._read(thing._now()[self._name])
+
+	def __set__(self, thing: Thing, value: NoReturn) -> None:
+		raise AttributeError(f"{self._name} of {thing!r} is read only")
+
+
+class Thing:
+	"""Something of a scene that has a name."""
 
 	def __init__(self, run: _core.Run, index: int, name: str) -> None:
 		self._run, self._index, self._name = run, index, name
@@ -106,35 +138,25 @@ class Body:
 	def name(self) -> str:
 		return self._name
 
-	@property
-	def is_there(self) -> bool:
-		"""In the world: it has appeared, and was not removed."""
-		return bool(self._run.body(self._index)["is_there"])
+	def _now(self) -> Dict[str, Any]:
+		raise NotImplementedError
 
-	@property
-	def mass(self) -> float:
-		"""[kg]; 0 of what is not moved by forces."""
-		return float(self._run.body(self._index)["mass"])
+	def __repr__(self) -> str:
+		return f"<{type(self).__name__.lower()} {self._name!r}>"
 
-	@property
-	def position(self) -> Vector:
-		"""Where the scene's file has it with "at" [m]."""
-		return np.array(self._run.body(self._index)["position"])
 
-	@property
-	def rotation(self) -> Vector:
-		"""A quaternion: x, y, z, w, as SciPy has it."""
-		return np.array(self._run.body(self._index)["rotation"])
+class Body(Thing):
+	"""A body of a scene, as it is now. Made by Scene.body()."""
 
-	@property
-	def velocity(self) -> Vector:
-		"""Of its centre of mass [m/s]."""
-		return np.array(self._run.body(self._index)["velocity"])
+	is_there = Reading(bool, "In the world: it has appeared, and was not removed.")
+	mass = Reading(float, "[kg]; 0 of what is not moved by forces.")
+	position = Reading(as_array, 'Where the scene\'s file has it with "at" [m].')
+	rotation = Reading(as_array, "A quaternion: x, y, z, w, as SciPy has it.")
+	velocity = Reading(as_array, "Of its centre of mass [m/s].")
+	spin = Reading(as_array, "[rad/s]")
 
-	@property
-	def spin(self) -> Vector:
-		"""[rad/s]"""
-		return np.array(self._run.body(self._index)["spin"])
+	def _now(self) -> Dict[str, Any]:
+		return self._run.body(self._index)
 
 	def remove(self) -> None:
 		"""Takes it out of the world with its joints."""
@@ -144,86 +166,75 @@ class Body:
 		"""Gives it a velocity [m/s]."""
 		self._run.push_body(self._index, as_vector(velocity, f"the velocity of {self._name!r}", "m/s"))
 
-	def __repr__(self) -> str:
-		return f"<body {self._name!r}>"
 
-
-class Joint:
+class Joint(Thing):
 	"""A joint of a scene, as it is now. Made by Scene.joint().
 
 	Arrays have a number for each degree of freedom: axial, shear_y, shear_z [N or m], torsion, bending_y, bending_z [N m or rad], in the
 	joint's frame. Of Bullet's own joints only names and breaks are known.
 	"""
 
-	def __init__(self, run: _core.Run, index: int, name: str) -> None:
-		self._run, self._index, self._name = run, index, name
+	bodies = Reading(as_pair, 'Names of what it joins; one may be "world".')
+	is_broken = Reading(bool, "Torn, by what it bore.")
+	is_cut = Reading(bool, "Taken out by the scene or by you.")
+	has_yielded = Reading(bool, "In some degree of freedom, at some time.")
+	utilisation = Reading(float, "Load over yield value, the most of all degrees of freedom.")
+	damage = Reading(float, "Share of its ductility that is spent.")
+	elastic_energy = Reading(float, "[J]")
+	plastic_energy = Reading(float, "[J]")
+	force = Reading(as_array, "Forces [N] and moments [N m].")
+	deformation = Reading(as_array, "Elastic and plastic [m], [rad].")
+	plastic_deformation = Reading(as_array, "[m], [rad]")
 
-	@property
-	def name(self) -> str:
-		return self._name
-
-	@property
-	def bodies(self) -> Tuple[str, str]:
-		"""Names of what it joins; one may be "world"."""
-		first, second = self._run.joint(self._index)["bodies"]
-		return first, second
-
-	@property
-	def is_broken(self) -> bool:
-		return bool(self._run.joint(self._index)["is_broken"])
-
-	@property
-	def is_cut(self) -> bool:
-		"""Taken out by the scene or by you."""
-		return bool(self._run.joint(self._index)["is_cut"])
-
-	@property
-	def has_yielded(self) -> bool:
-		return bool(self._run.joint(self._index)["has_yielded"])
-
-	@property
-	def utilisation(self) -> float:
-		"""Load over yield value, the most of all degrees of freedom."""
-		return float(self._run.joint(self._index)["utilisation"])
-
-	@property
-	def damage(self) -> float:
-		"""Share of its ductility that is spent."""
-		return float(self._run.joint(self._index)["damage"])
-
-	@property
-	def elastic_energy(self) -> float:
-		"""[J]"""
-		return float(self._run.joint(self._index)["elastic_energy"])
-
-	@property
-	def plastic_energy(self) -> float:
-		"""[J]"""
-		return float(self._run.joint(self._index)["plastic_energy"])
-
-	@property
-	def force(self) -> Vector:
-		return np.array(self._run.joint(self._index)["force"])
-
-	@property
-	def deformation(self) -> Vector:
-		"""Elastic and plastic."""
-		return np.array(self._run.joint(self._index)["deformation"])
-
-	@property
-	def plastic_deformation(self) -> Vector:
-		return np.array(self._run.joint(self._index)["plastic_deformation"])
+	def _now(self) -> Dict[str, Any]:
+		return self._run.joint(self._index)
 
 	def cut(self) -> None:
 		"""Takes it out of the world."""
 		self._run.cut_joint(self._index)
 
-	def __repr__(self) -> str:
-		return f"<joint {self._name!r}>"
+
+class LoadVector:
+	"""A part of a load: three numbers, or a function of the time [s] that gives them."""
+
+	def __init__(self, unit: str) -> None:
+		self._unit = unit
+		self.__doc__ = f"[{unit}]: three numbers, or a function of the time that gives them."
+
+	def __set_name__(self, owner: type, name: str) -> None:
+		self._name, self._slot = name, "_" + name
+
+	@overload
+	def __get__(self, load: None, owner: type) -> LoadVector: ...
+	@overload
+	def __get__(self, load: Load, owner: type) -> VectorOverTime: ...
+
+	def __get__(self, load: Optional[Load], owner: type) -> Union[LoadVector, VectorOverTime]:
+		return self if load is None else self.given(load)
+
+	def __set__(self, load: Load, value: VectorOverTime) -> None:
+		before = self.given(load)
+		setattr(load, self._slot, value)
+		try:
+			load.update(load._run.time())
+		except BaseException:
+			setattr(load, self._slot, before)
+			raise
+
+	def given(self, load: Load) -> VectorOverTime:
+		value: VectorOverTime = getattr(load, self._slot)
+		return value
+
+	def at(self, load: Load, time: float) -> Tuple[float, float, float]:
+		value = self.given(load)
+		return as_vector(value(time) if callable(value) else value, f"the {self._name} on {load._on!r}", self._unit)
 
 
 class Load:
 	"""A force and a moment on bodies of a scene, which may change at any time. Made by Scene.add_load()."""
+
+	force = LoadVector("N")
+	moment = LoadVector("N m")
 
 	def __init__(self, run: _core.Run, on: str, force: VectorOverTime, moment: VectorOverTime, at: ArrayLike, turns_along: bool) -> None:
 		self._run, self._on = run, on
@@ -231,34 +242,6 @@ class Load:
 		values = self._values(run.time())
 		self._number = run.add_load(on, as_vector(at, f"the place of the load on {on!r}", "m"), turns_along)
 		run.set_load(self._number, *values)
-
-	@property
-	def force(self) -> VectorOverTime:
-		"""[N]: three numbers, or a function of the time that gives them."""
-		return self._force
-
-	@force.setter
-	def force(self, force: VectorOverTime) -> None:
-		before, self._force = self._force, force
-		try:
-			self.update(self._run.time())
-		except BaseException:
-			self._force = before
-			raise
-
-	@property
-	def moment(self) -> VectorOverTime:
-		"""[N m]: three numbers, or a function of the time that gives them."""
-		return self._moment
-
-	@moment.setter
-	def moment(self, moment: VectorOverTime) -> None:
-		before, self._moment = self._moment, moment
-		try:
-			self.update(self._run.time())
-		except BaseException:
-			self._moment = before
-			raise
 
 	@property
 	def varies(self) -> bool:
@@ -275,9 +258,7 @@ class Load:
 		self._run.set_load(self._number, *self._values(time))
 
 	def _values(self, time: float) -> Tuple[Tuple[float, float, float], Tuple[float, float, float]]:
-		force = self._force(time) if callable(self._force) else self._force
-		moment = self._moment(time) if callable(self._moment) else self._moment
-		return (as_vector(force, f"the force on {self._on!r}", "N"), as_vector(moment, f"the moment on {self._on!r}", "N m"))
+		return Load.force.at(self, time), Load.moment.at(self, time)
 
 	def __repr__(self) -> str:
 		return f"<load on {self._on!r}>"
@@ -360,7 +341,7 @@ class Scene:
 		return [Joint(self._run, i, names[i]) for i in self._run.joints_like(f'"{pattern}"', pattern)]
 
 	@staticmethod
-	def _one(found: List[Thing], name: str, what: str) -> Thing:
+	def _one(found: List[Part], name: str, what: str) -> Part:
 		if len(found) != 1:
 			raise SceneError(f"{name!r} is like the names of {len(found)} {what}; ask for them by {what}()")
 		return found[0]
