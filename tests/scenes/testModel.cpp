@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// ep-build from outside: models that are written here become scenes.
+// ep-build from outside: models that are written here become scenes. Models as meshes of bodies.
 
 #include <sys/wait.h>
 #include <tiny_gltf.h>
@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <random>
 
 #include "cases/CaseRunner.h"
 #include "scenes/Scenes.h"
@@ -188,6 +190,25 @@ TEST(EpBuild, TakesHullsTurnsAndMaterials)
 	EXPECT_NEAR(s.scene().joints[0].height * s.scene().joints[0].width, 1, 1e-5);
 }
 
+TEST(EpBuild, JoinsByTheWeakerMaterial)
+{
+	const TemporaryFolder folder;
+	const std::string out = folder.path() + "/scene.json",
+					  materials = folder.write("materials.json", R"({"version": 1, "parameters": {"soft": 20e6},
+		"materials": {"steel": {}, "oak": {"yield_stress": "=soft"}, "iron": {"yield_stress": 100e6}}})");
+	ModelFile model;
+	model.meshOf(model.box("a", {0, 0, 0})).primitives[0].material = model.surface("iron");
+	model.meshOf(model.box("b", {1, 0, 0})).primitives[0].material = model.surface("oak");
+	model.box("c", {2, 0, 0});
+	model.meshOf(model.box("d", {3, 0, 0})).primitives[0].material = model.surface("iron");
+	epBuild(model.write(folder) + " --materials " + materials + " --out " + out);
+	const SceneDescription scene = sceneIn(out);
+	ASSERT_EQ(scene.joints.size(), 3u);
+	const std::map<std::string, double> stresses = {{"a--b", 20e6}, {"b--c", 20e6}, {"c--d", 100e6}};
+	for (const auto& joint : scene.joints)
+		EXPECT_NEAR(double(joint.capacity.m_yield[BT_EP_AXIAL]) / stresses.at(joint.name), 1, 1e-4) << "of 1 m^2";
+}
+
 TEST(EpBuild, TellsWhatIsNotJoined)
 {
 	const TemporaryFolder folder;
@@ -245,4 +266,94 @@ TEST(EpBuild, RefusesWhatIsNoPieceAndNamesIt)
 	const std::string whole((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
 	for (size_t length = 0; length < whole.size(); length += whole.size() / 10)
 		epBuild(folder.write("cut.glb", whole.substr(0, length)) + out, 1);
+}
+
+namespace
+{
+/// A scene in which a ball falls on what a file holds.
+std::string slopeScene(const TemporaryFolder& folder, const std::string& mesh)
+{
+	return folder.write("scene.json", R"({"version": 1, "end": {"time": 2},
+		"bodies": [{"name": "slope", "mesh_file": ")" +
+										  mesh + R"(", "motion": "static", "at": [0, -1, 0]},
+			{"name": "ball", "sphere": 0.2, "at": [0.3, 1, 0.5]}]})");
+}
+}  // namespace
+
+TEST(MeshFile, IsWhatBodiesStandOn)
+{
+	const TemporaryFolder folder;
+	ModelFile model;
+	// Two nodes of one file: a floor of 8 m with a step of 1 m on it.
+	model.box("floor", {0, -.5, 0}, {8, 1, 8});
+	model.box("step", {0, .5, 0}, {2, 1, 2});
+	model.write(folder);
+	const std::string file = slopeScene(folder, "model.glb");
+	Simulation s(describeScene(SceneText::read(file)));
+	EXPECT_EQ(s.scene().bodies[0].shape.points.size(), 72u);
+	while (s.ending() == Ending::None)
+		s.step();
+	// The body is 1 m lower than the file's origin.
+	EXPECT_NEAR(double(s.poseOf(1).getOrigin().y()), .2, .01);
+	// The file is found from the folder of the scene, wherever that is included.
+	std::filesystem::create_directory(folder.path() + "/inner");
+	const std::string outer = folder.write("inner/outer.json", R"({"version": 1, "include": ["../scene.json"]})");
+	EXPECT_EQ(describeScene(SceneText::read(outer)).bodies[0].shape.points.size(), 72u);
+}
+
+TEST(MeshFile, IsRefusedWithAMessage)
+{
+	const TemporaryFolder folder;
+	const auto complaint = [&](const std::string& mesh)
+	{ return complaintOf([&] { describeScene(SceneText::read(slopeScene(folder, mesh))); }); };
+	expectParts(complaint("nowhere.glb"), {"scene.json:2: bodies.slope.mesh_file", "nowhere.glb", "is it there?"});
+	folder.write("text.glb", "this is no model");
+	expectParts(complaint("text.glb"), {"text.glb", "cannot be read as glTF"});
+	ModelFile model;
+	model.box("floor", {0, 0, 0});
+	model.write(folder);
+	expectParts(
+		complaintOf((R"("bodies": [{"name": "a", "mesh_file": ")" + folder.path() + R"(/model.glb"}])").c_str()),
+		{"bodies.a has a mesh, which is for a body whose motion is static"});
+}
+
+TEST(MeshFile, SpoiltOnesAreReadOrRefusedWithAMessage)
+{
+	const int cases = 400;
+	const TemporaryFolder folder;
+	ModelFile model;
+	model.box("floor", {0, 0, 0}, {8, 1, 8});
+	model.wedge("wedge", {0, .5, 0});
+	std::ifstream stream(model.write(folder), std::ios::binary);
+	const std::string whole((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+	const std::string file = slopeScene(folder, "model.glb");
+	int refused = 0;
+	for (unsigned seed = 0; seed < unsigned(cases); ++seed)
+	{
+		SCOPED_TRACE(seed);
+		std::mt19937 random(seed);
+		std::string spoilt = whole;
+		for (unsigned times = 1 + random() % 3; times > 0; --times)
+		{
+			const size_t at = random() % spoilt.size();
+			// Digits are places, counts and numbers of what is elsewhere in the file.
+			const size_t digit = spoilt.find_first_of("0123456789", at);
+			switch (random() % 4)
+			{
+				case 0:
+					spoilt.resize(at + 1);
+					break;
+				case 1:
+					spoilt[at] = char(random());
+					break;
+				default:
+					if (digit != std::string::npos)
+						spoilt[digit] = char('0' + random() % 10);
+			}
+		}
+		folder.write("model.glb", spoilt);
+		refused += !complaintOf([&] { Simulation(describeScene(SceneText::read(file))).step(); }).empty();
+	}
+	EXPECT_GT(refused, cases / 10);
+	EXPECT_LT(refused, cases);
 }

@@ -83,6 +83,21 @@ TEST(SceneErrors, HaveTheLineOfTheirValueWhereverItEnds)
 	expectParts(complaintOf("\"world\": {\n\"step\":\n\n-1}"), {"test.json:4: world.step"});
 }
 
+TEST(SceneErrors, AreNotToldOfTwice)
+{
+	// What a structure would have made is not missed, nor is a body whose name was refused; what nobody would have made is.
+	const std::string told = complaintOf(
+		R"("materials": {"m": {}}, "structures": [{"grid": {"name": "deck", "material": "m", "count_x": 0}}],
+		"bodies": [{"name": "a", "sphere": 1}, {"name": "x,y", "sphere": 1, "at": [9, 0, 0]}],
+		"joints": [{"name": "tie", "from": "deck/1-1-1", "to": "a", "capacity": {"axial": {"stiffness": 1e6, "yield": -1}}}],
+		"loads": [{"on": "deck/*", "force": [1, 0, 0]}, {"on": "dock/1", "force": [1, 0, 0]}, {"on": "x,y", "force": [1, 0, 0]}],
+		"events": [{"time": 1, "cut": ["tie"]}, {"time": 1, "remove": "*"}],
+		"probes": [{"name": "p", "of": "deck/1", "measure": "position"}])");
+	expectParts(told, {"deck.grid.count_x is 0", "of a body is \"x,y\"", "yield is -1",
+					   "loads.1.on is no body: \"dock/1\"", "events.0.cut is a list"});
+	EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 4) << told;
+}
+
 TEST(SceneErrors, OfKeysAndNamesThatComeTwice)
 {
 	expectParts(complaintOf("\"world\": {\"step\": 0.1,\n\"step\": 0.2}"),
@@ -172,6 +187,13 @@ TEST(SceneText, SettingsReachParametersKeysAndNamedThings)
 					}),
 				{"does not lead anywhere", "known are a, b"});
 	expectParts(complaintOf([&] { sceneOf(inner, {{"wolrd.step", "2"}}); }), {"did you mean \"world\"?"});
+	const auto complaintOfSetting = [&](const std::string& path) {
+		return complaintOf([&] { sceneOf(inner, {{path, "2"}}); });
+	};
+	expectParts(complaintOfSetting("spam"), {"--set spam=2", "did you mean \"span\"?"});
+	expectParts(complaintOfSetting("parameters.spam"), {"did you mean \"span\"?"});
+	expectParts(complaintOfSetting("materials.n.density"), {"\"n\" is not known; known are m"});
+	expectParts(complaintOfSetting("structures.g.grid.count_w"), {"did you mean \"count_x\"?"});
 	expectParts(complaintOf([] { Setting::from("span"); }), {"path=value"});
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <random>
 
 #include "scenes/Scenes.h"
@@ -87,7 +88,7 @@ std::vector<std::string> originals()
 {
 	std::vector<std::string> texts;
 	for (const char* name :
-		 {"materials", "block-under-tension", "cantilever", "guard-rail", "mast-in-gust", "slab-and-mass"})
+		 {"materials", "block-under-tension", "cantilever", "guard-rail", "mast-in-gust", "portal", "slab-and-mass"})
 	{
 		std::ifstream stream(std::string(EP_SOURCE_DIR) + "/examples/scenes/" + name + ".json");
 		texts.emplace_back((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
@@ -108,12 +109,50 @@ std::vector<std::string> originals()
 		{"chain": {"name": "r", "material": "m", "section": {"circle": 0.05}, "from": [50, 5, 0], "to": [52, 5, 0], "sag": 0.3}}]})");
 	return texts;
 }
+/// Reads it, and computes some steps if it is small. \return whether it was refused
+bool isRefused(const std::function<SceneText()>& read, int& computed)
+{
+	const size_t smallScene = 300;  // bodies: larger ones are described, but not built
+	try
+	{
+		const SceneDescription scene = describeScene(read());
+		if (scene.bodies.size() > smallScene)
+			return false;
+		Simulation simulation(scene);
+		for (int i = 0; i < 3 && simulation.ending() == Ending::None; ++i)
+		{
+			simulation.step();
+			for (const auto& probe : scene.probes)
+				readProbe(simulation, probe);
+		}
+		++computed;
+	}
+	catch (const SceneError& error)
+	{
+		EXPECT_GT(std::string(error.what()).size(), 10u);
+		EXPECT_LT(std::string(error.what()).size(), 20000u);
+		return true;
+	}
+	return false;
+}
+
+/// A path of the text's keys and names, in any order.
+std::string somePath(Random& random, const std::string& text)
+{
+	std::string path;
+	for (size_t parts = 1 + below(random, 4); parts > 0; --parts)
+	{
+		const size_t begin = text.find('"', below(random, text.size())), end = text.find('"', begin + 1);
+		if (end < text.size())
+			path += (path.empty() ? "" : ".") + text.substr(begin + 1, end - begin - 1);
+	}
+	return path;
+}
 }  // namespace
 
 TEST(SceneFuzz, SpoiltFilesAreReadOrRefusedWithAMessage)
 {
 	const int cases = 700;
-	const size_t smallScene = 300;  // bodies: larger ones are described, but not built
 	const std::vector<std::string> texts = originals();
 	int refused = 0, computed = 0;
 	for (int seed = 0; seed < cases; ++seed)
@@ -121,29 +160,41 @@ TEST(SceneFuzz, SpoiltFilesAreReadOrRefusedWithAMessage)
 		SCOPED_TRACE(seed);
 		Random random(seed);
 		const std::string text = spoilt(random, texts[below(random, texts.size())]);
-		try
-		{
-			const SceneDescription scene = describeScene(
-				SceneText::parse(text, "spoilt.json", {}, std::string(EP_SOURCE_DIR) + "/examples/scenes"));
-			if (scene.bodies.size() > smallScene)
-				continue;
-			Simulation simulation(scene);
-			for (int i = 0; i < 3 && simulation.ending() == Ending::None; ++i)
-			{
-				simulation.step();
-				for (const auto& probe : scene.probes)
-					readProbe(simulation, probe);
-			}
-			++computed;
-		}
-		catch (const SceneError& error)
-		{
-			++refused;
-			EXPECT_GT(std::string(error.what()).size(), 10u);
-			EXPECT_LT(std::string(error.what()).size(), 20000u);
-		}
+		const auto read = [&]
+		{ return SceneText::parse(text, "spoilt.json", {}, std::string(EP_SOURCE_DIR) + "/examples/scenes"); };
+		refused += isRefused(read, computed);
 	}
 	// Neither is everything refused, nor everything taken.
+	EXPECT_GT(refused, cases / 5);
+	EXPECT_GT(computed, cases / 20);
+}
+
+TEST(SceneFuzz, SpoiltIncludesAndSettingsAreReadOrRefusedWithAMessage)
+{
+	const int cases = 400;
+	const TemporaryFolder folder;
+	const std::vector<std::string> texts = originals();
+	const std::string own =
+		R"({"version": 1, "include": ["materials.json", {"file": "spoilt.json", "set": {"PATH": VALUE}}],
+		"world": {"step": 0.01}, "bodies": [{"name": "own", "sphere": 1, "at": [99, 99, 99]}]})";
+	folder.write("materials.json", texts[0]);
+	int refused = 0, computed = 0;
+	for (int seed = 0; seed < cases; ++seed)
+	{
+		SCOPED_TRACE(seed);
+		Random random(seed);
+		const std::string& text = texts[below(random, texts.size())];
+		folder.write("spoilt.json", below(random, 2) == 0 ? spoilt(random, text) : text);
+		std::string outer = own;
+		const bool isSet = below(random, 3) == 0;
+		outer.replace(outer.find("PATH"), 4, isSet ? somePath(random, text) : "world.step");
+		outer.replace(outer.find("VALUE"), 5, isSet ? SPOILERS[below(random, std::size(SPOILERS))] : "0.01");
+		const std::string file = folder.write("own.json", below(random, 4) == 0 ? spoilt(random, outer) : outer);
+		std::vector<Setting> settings;
+		if (below(random, 4) == 0)
+			settings.push_back({somePath(random, text), SPOILERS[below(random, std::size(SPOILERS))]});
+		refused += isRefused([&] { return SceneText::read(file, settings); }, computed);
+	}
 	EXPECT_GT(refused, cases / 5);
 	EXPECT_GT(computed, cases / 20);
 }

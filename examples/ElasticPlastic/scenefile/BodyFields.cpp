@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
+#include "scenefile/MeshFile.h"
 #include "scenefile/SceneBuilder.h"
 
 namespace ep
@@ -64,6 +65,14 @@ void shapeFields(Fields& f, Shape& shape)
 {
 	simpleShapeFields(f, shape);
 	pointsField(f, "mesh", ShapeKind::Mesh, 3, 10000, "triangles of a static body: three points each", shape);
+	std::string file;
+	if (f.file("mesh_file", file, "glTF file with a static body, .glb or .gltf, in the body's axes"))
+	{
+		shape.kind = ShapeKind::Mesh;
+		const std::string fault = file.empty() ? "" : readMeshFile(file, shape.points);
+		if (!fault.empty())
+			f.refuse("mesh_file", "is \"" + file + "\", which " + fault);
+	}
 	if (f.list("compound", 100, "a body of several parts",
 			   [&](Fields& inner)
 			   {
@@ -78,7 +87,7 @@ void shapeFields(Fields& f, Shape& shape)
 		if (shape.parts.empty())
 			f.refuse("compound", "has no parts");
 	}
-	f.oneOf({"box", "sphere", "cylinder", "capsule", "hull", "compound", "mesh"});
+	f.oneOf({"box", "sphere", "cylinder", "capsule", "hull", "compound", "mesh", "mesh_file"});
 }
 
 void pathField(Fields& f, SceneDescription::Body& body)
@@ -139,7 +148,7 @@ void bodyFields(Fields& f, SceneBuilder& builder)
 	f.vector("colour", b.colour, "", "red, green and blue, linear", Need::Optional, {0, 1});
 	pathField(f, b);
 	if (b.shape.kind == ShapeKind::Mesh && b.motion != Motion::Static)
-		f.refuse("mesh", "is for a body whose motion is static; others are convex or compound");
+		f.refuse("", "has a mesh, which is for a body whose motion is static; others are convex or compound");
 	if (b.appears > 0 && b.motion != Motion::Dynamic)
 		f.refuse("appears", "is for a body that is moved by forces");
 	builder.add(f, b);

@@ -94,17 +94,20 @@ void eventFields(Fields& f, SceneBuilder& builder)
 	SceneDescription::Event event;
 	std::string removed, cut, pushed;
 	f.number("time", event.time, {0, 1e5}, "s", "at which it happens", Need::Required);
-	if (f.text("remove", removed, "bodies that leave the world: a name or a pattern"))
+	const bool hasRemove = f.text("remove", removed, "bodies that leave the world: a name or a pattern"),
+			   hasCut = f.text("cut", cut, "joints that leave the world: a name or a pattern"),
+			   hasPush = f.text("push", pushed, "bodies that get the velocity: a name or a pattern"),
+			   hasVelocity =
+				   f.vector("velocity", event.velocity, "m/s", "of what is pushed", Need::Optional, {-1e5, 1e5});
+	if (hasRemove)
 		event.removed = builder.bodies(f, "remove", removed);
-	if (f.text("cut", cut, "joints that leave the world: a name or a pattern"))
+	if (hasCut)
 		event.cut = builder.joints(f, "cut", cut);
-	if (f.text("push", pushed, "bodies that get the velocity: a name or a pattern"))
+	if (hasPush)
 		event.pushed = builder.bodies(f, "push", pushed);
-	const bool hasVelocity =
-		f.vector("velocity", event.velocity, "m/s", "of what is pushed", Need::Optional, {-1e5, 1e5});
-	if (hasVelocity != !pushed.empty())
+	if (hasVelocity != hasPush)
 		f.refuse("", "must have both of push and velocity, or none");
-	if (removed.empty() && cut.empty() && pushed.empty())
+	if (!hasRemove && !hasCut && !hasPush)
 		f.refuse("", "must have one of the keys remove, cut and push");
 	builder.scene().events.push_back(event);
 }

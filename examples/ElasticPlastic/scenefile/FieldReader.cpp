@@ -36,7 +36,14 @@ void FieldReader::finish()
 {
 	for (const Node& child : m_object.children)
 		if (std::find(m_asked.begin(), m_asked.end(), child.key) == m_asked.end())
-			m_complaints.add(child.place, m_path, "key " + unknownName(child.key, m_asked));
+		{
+			std::vector<std::string> known = m_asked;
+			// A setting may have been meant for a parameter.
+			if (m_path.empty() && !child.isObject() && !child.isList())
+				for (const auto& parameter : m_parameters)
+					known.push_back(parameter.first);
+			m_complaints.add(child.place, m_path, "key " + unknownName(child.key, known));
+		}
 }
 
 const Node* FieldReader::find(const char* key, Need need)
@@ -117,6 +124,16 @@ bool FieldReader::text(const char* key, std::string& value, const char*, Need ne
 		value = node->text;
 	else if (node)
 		complain(*node, pathOf(key), "a text of 1 to " + std::to_string(longest) + " characters");
+	return node;
+}
+
+bool FieldReader::file(const char* key, std::string& name, const char*)
+{
+	const Node* const node = find(key, Need::Optional);
+	if (node && node->isText() && !node->text.empty())
+		name = node->text;
+	else if (node)
+		complain(*node, pathOf(key), "the name of a file");
 	return node;
 }
 

@@ -86,6 +86,11 @@ bool FieldSchema::text(const char* key, std::string&, const char* help, Need nee
 	return add(key, {{"type", "string"}, {"minLength", 1}, {"maxLength", 200}}, help, need);
 }
 
+bool FieldSchema::file(const char* key, std::string&, const char* help)
+{
+	return add(key, {{"type", "string"}, {"minLength", 1}}, help, Need::Optional);
+}
+
 bool FieldSchema::choice(const char* key, size_t& index, const std::vector<std::string>& names, const char* help)
 {
 	return add(key, {{"enum", names}, {"default", names[index]}}, help, Need::Optional);

@@ -25,6 +25,7 @@ public:
 	bool whole(const char* key, int& value, int low, int high, const char* help, Need need) override;
 	bool flag(const char* key, bool& value, const char* help) override;
 	bool text(const char* key, std::string& value, const char* help, Need need) override;
+	bool file(const char* key, std::string& name, const char* help) override;
 	bool choice(const char* key, size_t& index, const std::vector<std::string>& names, const char* help) override;
 	bool numbers(const char* key, std::vector<double>& values, size_t least, size_t most, const Range& range,
 				 const char* unit, const char* help, Need need) override;

@@ -56,6 +56,9 @@ public:
 	/// Up to 200 characters.
 	virtual bool text(const char* key, std::string& value, const char* help, Need need = Need::Optional) = 0;
 
+	/// The name of a file. A relative one is under the folder of the file that it stands in.
+	virtual bool file(const char* key, std::string& name, const char* help) = 0;
+
 	/// One of some names. \param index  of the chosen one
 	virtual bool choice(const char* key, size_t& index, const std::vector<std::string>& names, const char* help) = 0;
 

@@ -65,14 +65,14 @@ const btVector3* centreOf(const SceneDescription& scene, int body)
 }
 
 /// Where it is and how it stands, if the file does not say: in the middle between the bodies, and along the line from one to the other.
-void frameFields(Fields& f, const SceneDescription& scene, SceneDescription::Joint& joint)
+void frameFields(Fields& f, const SceneDescription& scene, bool isToWorld, SceneDescription::Joint& joint)
 {
 	const btVector3 *const a = centreOf(scene, joint.bodies[0]), *const b = centreOf(scene, joint.bodies[1]);
 	btVector3 at(0, 0, 0), along(1, 0, 0), up(0, 1, 0);
 	if (a && b)
 		at = (*a + *b) / 2;
 	const bool isPlaced = f.vector("at", at, "m", "place; else in the middle between the bodies");
-	if (!isPlaced && !(a && b))
+	if (!isPlaced && isToWorld)
 		f.refuse("", "must have the key at: one of its bodies is the world");
 	const btVector3 begin = a ? *a : at, end = b ? *b : at;
 	if ((end - begin).length() > btScalar(1e-6))
@@ -144,7 +144,7 @@ void jointFields(Fields& f, SceneBuilder& builder)
 		j.bodies[0] = builder.body(f, "from", a);
 	j.bodies[1] = builder.body(f, "to", b);
 	f.named("type", j.type, jointTypes(), "what it is");
-	frameFields(f, builder.scene(), j);
+	frameFields(f, builder.scene(), a == "world" || b == "world", j);
 	const bool isMember = memberFields(f, builder, j), isByHand = capacityField(f, j.capacity);
 	const bool isElasticPlastic = j.type < JointType::Fixed;
 	if (isElasticPlastic && isMember == isByHand)

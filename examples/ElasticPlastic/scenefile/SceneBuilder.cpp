@@ -3,6 +3,8 @@
 
 #include "scenefile/SceneBuilder.h"
 
+#include <algorithm>
+
 #include "scenefile/Complaints.h"
 
 namespace ep
@@ -83,6 +85,7 @@ int SceneBuilder::add(Fields& f, const SceneDescription::Body& body)
 		m_scene.bodies.push_back(body);
 		return int(m_scene.bodies.size()) - 1;
 	}
+	m_refused.push_back(body.name);
 	return SceneDescription::WORLD;
 }
 
@@ -102,7 +105,25 @@ int SceneBuilder::add(Fields& f, const SceneDescription::Joint& joint)
 		m_scene.joints.push_back(joint);
 		return int(m_scene.joints.size()) - 1;
 	}
+	m_refused.push_back(joint.name);
 	return -1;
+}
+
+/// Whether it is a name, or a pattern of names, of something that is not there since it has been complained of.
+bool SceneBuilder::isLost(const std::string& pattern) const
+{
+	const std::string fixed = pattern.substr(0, pattern.find('*'));
+	const bool isPattern = fixed.size() < pattern.size();
+	for (const std::string& structure : m_structures)
+	{
+		const std::string prefix = structure.empty() ? "" : structure + "/";
+		const auto first = m_bodies.lower_bound(prefix);
+		const bool hasMade = first != m_bodies.end() && !prefix.empty() && first->first.rfind(prefix, 0) == 0;
+		if (!hasMade && (fixed.rfind(prefix, 0) == 0 || (isPattern && prefix.rfind(fixed, 0) == 0)))
+			return true;
+	}
+	return std::any_of(m_refused.begin(), m_refused.end(),
+					   [&](const std::string& name) { return isLike(name, pattern); });
 }
 
 int SceneBuilder::body(Fields& f, const char* key, const std::string& name)
@@ -110,7 +131,7 @@ int SceneBuilder::body(Fields& f, const char* key, const std::string& name)
 	const auto found = m_bodies.find(name);
 	if (found != m_bodies.end())
 		return found->second;
-	if (name != "world")
+	if (name != "world" && !isLost(name))
 		f.refuse(key, "is a body that is not there: " + unknownName(name, namesIn(m_bodies)));
 	return SceneDescription::WORLD;
 }
@@ -119,7 +140,7 @@ std::vector<int> SceneBuilder::like(Fields& f, const char* key, const std::strin
 									const char* what)
 {
 	const std::vector<int> found = placesOf(pattern, names);
-	if (found.empty())
+	if (found.empty() && !pattern.empty() && !isLost(pattern))
 		f.refuse(key, std::string("is no ") + what + ": " + unknownName(pattern, namesIn(names)));
 	return found;
 }

@@ -26,6 +26,10 @@ public:
 	std::map<std::string, SceneDescription::Material> m_materials;
 	std::map<std::string, SceneDescription::Section> m_sections;
 
+	/// What is added from now on is of a structure. Where one makes nothing, it has been complained of, and names that it would have
+	/// made are not complained of as well.
+	void beginStructure(const std::string& name) { m_structures.push_back(name); }
+
 	/// Adds one under its name, which must be new. \param f  the object that it comes from, for complaints
 	int add(Fields& f, const SceneDescription::Body& body);
 	int add(Fields& f, const SceneDescription::Joint& joint);
@@ -42,10 +46,12 @@ public:
 
 private:
 	std::vector<int> like(Fields& f, const char* key, const std::string& pattern, const Names& names, const char* what);
+	bool isLost(const std::string& pattern) const;
 	bool addName(Fields& f, Names& names, const std::string& name, size_t index, const char* what);
 
 	SceneDescription& m_scene;
 	Names m_bodies, m_joints;
+	std::vector<std::string> m_structures, m_refused;  // names; refused: of bodies and joints
 };
 
 std::vector<std::string> namesIn(const Names& names);

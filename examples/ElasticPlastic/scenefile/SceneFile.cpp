@@ -63,6 +63,12 @@ void cameraFields(Fields& f, SceneDescription& scene)
 	scene.camera.isGiven = true;
 }
 
+void materialList(Fields& f, SceneBuilder& b)
+{
+	f.named("materials", "by their names; what is left out is as steel has it",
+			[&](const std::string& name, Fields& in) { materialFields(in, b.m_materials[name]); });
+}
+
 void structureList(Fields& f, SceneBuilder& builder)
 {
 	const std::vector<std::pair<const char*, void (*)(Fields&, SceneBuilder&)>> generators = {
@@ -89,8 +95,7 @@ void sceneFields(Fields& f, SceneBuilder& b)
 	f.known("parameters");
 	f.known("include");
 	f.object("world", "how it is computed", [&](Fields& in) { worldFields(in, s.world); });
-	f.named("materials", "by their names; what is left out is as steel has it",
-			[&](const std::string& name, Fields& in) { materialFields(in, b.m_materials[name]); });
+	materialList(f, b);
 	f.named("sections", "by their names",
 			[&](const std::string& name, Fields& in) { sectionFields(in, b.m_sections[name]); });
 	f.list("bodies", 10000, "rigid bodies", [&](Fields& in) { bodyFields(in, b); });
@@ -165,6 +170,17 @@ SceneDescription describeScene(const SceneText& text)
 	reader.finish();
 	complaints.check();
 	return scene;
+}
+
+std::map<std::string, SceneDescription::Material> describeMaterials(const SceneText& text)
+{
+	Complaints complaints;
+	SceneDescription scene;
+	SceneBuilder builder(scene);
+	FieldReader reader(text.root, "", text.parameters, complaints);
+	materialList(reader, builder);
+	complaints.check();
+	return builder.m_materials;
 }
 
 std::string sceneSchema()

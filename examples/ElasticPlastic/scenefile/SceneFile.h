@@ -15,6 +15,9 @@ const int SCENE_VERSION = 1;
 /// Throws a SceneError with all that is wrong.
 SceneDescription describeScene(const SceneText& text);
 
+/// Its materials alone, by their names. Throws a SceneError with all that is wrong with them.
+std::map<std::string, SceneDescription::Material> describeMaterials(const SceneText& text);
+
 /// JSON Schema of scene files, as docs/scene.schema.json holds it.
 std::string sceneSchema();
 }  // namespace ep

@@ -72,7 +72,10 @@ void put(Node& root, std::string path, Node value, const Place& place, Complaint
 	{
 		const size_t end = std::min(path.find('.', begin), path.size());
 		const std::string part = path.substr(begin, end - begin);
-		Node* const next = part.empty() ? nullptr : childAt(*node, part, place);
+		// What is there by a name is changed, and not made: a new one that nothing refers to would be a slip that nobody sees.
+		const bool isNamed =
+			node->isObject() && (node->key == "materials" || node->key == "sections" || node->key == "parameters");
+		Node* const next = part.empty() || (isNamed && !node->find(part)) ? nullptr : childAt(*node, part, place);
 		if (!next)
 			return complaints.add(place, "", "does not lead anywhere: " + unknownName(part, childNames(*node)));
 		node = next;
@@ -124,6 +127,7 @@ public:
 	/// \param self  empty: no file, it cannot be included
 	Node withIncludes(Node root, const fs::path& folder, const std::string& self)
 	{
+		putUnder(folder, root);
 		const auto found = std::find_if(root.children.begin(), root.children.end(),
 										[](const Node& child) { return child.key == "include"; });
 		if (!root.isObject() || found == root.children.end())
@@ -141,6 +145,16 @@ public:
 	}
 
 private:
+	/// Files that bodies name are under the folder of the file that names them.
+	static void putUnder(const fs::path& folder, Node& root)
+	{
+		Node* const bodies = root.find("bodies");
+		for (size_t i = 0; bodies && i < bodies->children.size(); ++i)
+			if (Node* const file = bodies->children[i].find("mesh_file"))
+				if (file->isText() && !file->text.empty())
+					file->text = fs::absolute(folder / file->text).lexically_normal().string();
+	}
+
 	static std::string canonical(const fs::path& file)
 	{
 		std::error_code error;

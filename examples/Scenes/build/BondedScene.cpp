@@ -110,17 +110,24 @@ Json bodyOf(const ModelPiece& piece)
 	return body;
 }
 
-/// Names by which pieces may call for materials.
-std::set<std::string> knownMaterials(const std::string& file)
+using Materials = std::map<std::string, SceneDescription::Material>;
+
+/// What pieces may be of.
+Materials knownMaterials(const std::string& file)
 {
-	std::set<std::string> known;
-	if (file.empty())
-		return {"steel"};
-	const SceneText text = SceneText::read(file);
-	if (const Node* const materials = text.root.find("materials"))
-		for (const Node& material : materials->children)
-			known.insert(material.key);
-	return known;
+	return file.empty() ? Materials{{"steel", {}}} : describeMaterials(SceneText::read(file));
+}
+
+/// By what a section of it bears.
+std::string weakerOf(const std::string& a, const std::string& b, const Materials& known)
+{
+	const auto strength = [&](const std::string& name)
+	{
+		const auto found = known.find(name);
+		return found == known.end() ? SIMD_INFINITY
+									: found->second.law.m_yieldStress * found->second.law.m_loadBearingShare;
+	};
+	return strength(b) < strength(a) ? b : a;
 }
 
 std::string pair(const std::string& a, const std::string& b) { return "'" + a + "' and '" + b + "'"; }
@@ -278,7 +285,7 @@ std::vector<bool> fixedOf(const std::vector<ModelPiece>& pieces, const std::vect
 }
 
 /// By its custom property; by its surface, if that is a material's name; else what is given for all.
-std::string materialOf(const ModelPiece& piece, const std::set<std::string>& known, const std::string& orElse)
+std::string materialOf(const ModelPiece& piece, const Materials& known, const std::string& orElse)
 {
 	const auto own = piece.properties.find("material");
 	if (own != piece.properties.end())
@@ -289,7 +296,7 @@ std::string materialOf(const ModelPiece& piece, const std::set<std::string>& kno
 
 BondedScene bondPieces(const std::vector<ModelPiece>& pieces, const BondSettings& settings, const std::string& file)
 {
-	const std::set<std::string> known = knownMaterials(settings.materials);
+	const Materials known = knownMaterials(settings.materials);
 	const std::vector<bool> isFixed = fixedOf(pieces, settings.fixed);
 	const fs::path folder = fs::absolute(file).parent_path();
 	Json scene = {{"version", 1}, {"title", fs::path(file).stem().string()}};
@@ -326,7 +333,7 @@ BondedScene bondPieces(const std::vector<ModelPiece>& pieces, const BondSettings
 								   {"at", listOf(face.m_frame.getOrigin())},
 								   {"along", listOf(axes.getColumn(0))},
 								   {"up", listOf(axes.getColumn(1))},
-								   {"material", materials[a] == materials[b] ? materials[a] : settings.material},
+								   {"material", weakerOf(materials[a], materials[b], known)},
 								   {"section", {{"rectangle", {rounded(face.m_width), rounded(face.m_height)}}}},
 								   {"lengths", {rounded(face.m_lengthA), rounded(face.m_lengthB)}}});
 	}

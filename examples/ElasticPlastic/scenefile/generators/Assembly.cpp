@@ -39,6 +39,7 @@ const std::vector<Named<Support>>& supports()
 Assembly::Assembly(Fields& f, SceneBuilder& builder) : m_fields(f), m_builder(builder)
 {
 	f.text("name", m_name, "with which the names of its parts begin", Need::Required);
+	builder.beginStructure(m_name);
 	materialField(f, "material", builder, m_material, Need::Required);
 }
 
