@@ -35,7 +35,8 @@ btScalar stiffnessOfBars(const btElasticPlasticSection& section, int bending)
 		const btElasticPlasticSectionFibre& fibre = section.m_fibres[i];
 		const btScalar arm = bending == 0 ? fibre.m_z : fibre.m_y;
 		if (fibre.m_material > 0)
-			sum += section.m_materials[fibre.m_material - 1].m_youngsModulus * fibre.m_area * arm * arm;
+			sum += section.m_materials[fibre.m_material - 1].m_youngsModulus * fibre.m_area * (1 + fibre.m_excess) *
+				   arm * arm;
 	}
 	return sum;
 }

@@ -5,9 +5,14 @@
 
 #include "btElasticPlasticSection.h"
 
+#include "ElasticPlastic/section/CellStrength.h"
+#include "ElasticPlastic/section/Clusters.h"
+#include "ElasticPlastic/section/StiffShares.h"
 #include "LinearMath/btMinMax.h"
 
 #include <math.h>
+
+using namespace btElasticPlastic;
 
 namespace
 {
@@ -49,8 +54,17 @@ const Ring THIRTY_THREE[] = {{5, 0.20185, 0.13921}, {11, 0.52819, 0.23964}, {17,
 
 void add(btElasticPlasticSection& section, double y, double z, double area)
 {
-	const btElasticPlasticSectionFibre fibre = {btScalar(y), btScalar(z), btScalar(area), 0};
-	section.m_fibres.push_back(fibre);
+	section.m_fibres.push_back({btScalar(y), btScalar(z), btScalar(area)});
+}
+
+/// Off a part's centre, along its own height and width.
+void addTo(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, double alongHeight,
+		   double alongWidth, double area)
+{
+	if (part.m_turn == 0)
+		return add(section, part.m_y + alongHeight, part.m_z + alongWidth, area);
+	const double c = cos(double(part.m_turn)), s = sin(double(part.m_turn));
+	add(section, part.m_y + c * alongHeight - s * alongWidth, part.m_z + s * alongHeight + c * alongWidth, area);
 }
 
 template <int N>
@@ -68,9 +82,8 @@ void addOrbits(btElasticPlasticSection& section, const btElasticPlasticSectionPa
 	const double scaleY = 0.25 * sum / arm[0], scaleZ = 0.25 * sum / arm[1];
 	for (const Orbit& orbit : orbits)
 		for (int corner = 0; corner < 4; ++corner)
-			add(section, part.m_y + (corner & 1 ? 1 : -1) * scaleY * orbit.m_y * height,
-				part.m_z + (corner & 2 ? 1 : -1) * scaleZ * orbit.m_z * width,
-				height * width * orbit.m_share / sum / 4);
+			addTo(section, part, (corner & 1 ? 1 : -1) * scaleY * orbit.m_y * height,
+				  (corner & 2 ? 1 : -1) * scaleZ * orbit.m_z * width, height * width * orbit.m_share / sum / 4);
 }
 
 void addRectangle(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, int count)
@@ -113,17 +126,20 @@ void addRound(btElasticPlasticSection& section, const btElasticPlasticSectionPar
 	addRing(section, part, count / 2, radiusOf(inner, middle), area / 2, 0.75);
 }
 
-/// Cuts the longer side of a thin part into equal lengths. They stand a quarter of the thickness to either side by turns, + - - +, so
-/// that a multiple of four of them has the plastic moduli of the part about both of its axes.
+/// Cuts the longer side of a thin part into equal lengths. They stand a quarter of the thickness to either side by turns, + - - +, or, where there
+/// are many, three and one eighths, so that a multiple of the pattern has the plastic moduli of the part about both of its axes.
 void addStrips(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, int count)
 {
-	const bool isHigh = part.m_height > part.m_width;
+	static const double few[] = {0.25, -0.25, -0.25, 0.25},
+						many[] = {0.375, -0.125, -0.375, 0.125, 0.125, -0.375, -0.125, 0.375};
+	const bool isHigh = part.m_height > part.m_width, areMany = count >= 16;
 	const double length = isHigh ? part.m_height : part.m_width, thickness = isHigh ? part.m_width : part.m_height;
-	for (int i = 0; i < count; ++i)
+	const int n = areMany ? (count + 4) / 8 * 8 : count;
+	for (int i = 0; i < n; ++i)
 	{
-		const double along = ((i + 0.5) / count - 0.5) * length, across = (i % 4 % 3 == 0 ? 0.25 : -0.25) * thickness;
-		add(section, part.m_y + (isHigh ? along : across), part.m_z + (isHigh ? across : along),
-			double(part.m_height) * double(part.m_width) / count);
+		const double along = ((i + 0.5) / n - 0.5) * length, across = (areMany ? many[i % 8] : few[i % 4]) * thickness;
+		addTo(section, part, isHigh ? along : across, isHigh ? across : along,
+			  double(part.m_height) * double(part.m_width) / n);
 	}
 }
 
@@ -136,7 +152,29 @@ void addParts(btElasticPlasticSection& section, int count)
 	for (int i = 0; i < section.m_parts.size(); ++i)
 		sum += rootOf(i);
 	for (int i = 0; i < section.m_parts.size(); ++i)
-		addStrips(section, section.m_parts[i], 4 * btMax(1, int(count * rootOf(i) / sum / 4 + 0.5)));
+	{
+		const btElasticPlasticSectionPart& part = section.m_parts[i];
+		const int own = 4 * btMax(1, int(count * rootOf(i) / sum / 4 + 0.5));
+		const btScalar longer = btMax(part.m_height, part.m_width), shorter = btMin(part.m_height, part.m_width);
+		// Two rows do not tell a stout part's bending about its longer side.
+		if (own >= 12 && longer < 3 * shorter)
+			addRectangle(section, part, own);
+		else
+			addStrips(section, part, own);
+	}
+}
+
+/// Clusters, moved outwards until they bear in bending about each axis what the section does.
+void addClusters(btElasticPlasticSection& section, int count)
+{
+	const std::vector<Cluster> clusters = clustersOf(regionOf(section), count);
+	std::vector<Cell> cells;
+	for (const Cluster& cluster : clusters)
+		cells.push_back({cluster.m_y, cluster.m_z, cluster.m_area, cluster.m_area});
+	const double outwards[2] = {double(section.m_plasticModulus[1]) / strengthAlone(cells, MOMENT_Z),
+								double(section.m_plasticModulus[0]) / strengthAlone(cells, MOMENT_Y)};
+	for (const Cluster& cluster : clusters)
+		add(section, outwards[0] * cluster.m_y, outwards[1] * cluster.m_z, cluster.m_area);
 }
 }  // namespace
 
@@ -147,20 +185,21 @@ btElasticPlasticSection btElasticPlasticSection::withFibres(int count) const
 		return s;
 	if (count != 0 && (count < LEAST_FIBRES || count > MOST_FIBRES))
 		s.m_fault = btElasticPlasticFault("number of fibres", btScalar(count), "4 to 400, or 0 for the default");
-	else if (m_parts.size() == 0)
+	else if (m_parts.size() == 0 && m_corners.size() == 0)
 		s.m_fault = btElasticPlasticFault("number of parts of the section to cut into fibres", 0,
 										  "1 or more: a section by rectangle(), iSection() and the like");
 	if (s.m_fault)
 		return s;
 	s.m_fibres.clear();
 	s.m_materials.clear();
-	const btElasticPlasticSectionPart& first = m_parts[0];
-	if (m_parts.size() > 1)
+	if (m_parts.size() == 0)
+		addClusters(s, count > 0 ? count : 36);
+	else if (m_parts.size() > 1)
 		addParts(s, count > 0 ? count : 24);
-	else if (first.m_radius > 0)
-		addRound(s, first, count > 0 ? count : 20);
+	else if (m_parts[0].m_radius > 0)
+		addRound(s, m_parts[0], count > 0 ? count : 20);
 	else
-		addRectangle(s, first, count > 0 ? count : 16);
+		addRectangle(s, m_parts[0], count > 0 ? count : 16);
 	return s;
 }
 
@@ -179,6 +218,36 @@ void btElasticPlasticSection::addBar(btScalar y, btScalar z, btScalar area, cons
 	if (m_fault)
 		return;
 	m_materials.push_back(material);
-	const btElasticPlasticSectionFibre bar = {y, z, area, m_materials.size()};
-	m_fibres.push_back(bar);
+	m_fibres.push_back({y, z, area, m_materials.size()});
+}
+
+void btElasticPlasticSection::addPart(const btElasticPlasticSection& part, btScalar y, btScalar z,
+									  const btElasticPlasticMaterial& material)
+{
+	if (m_fault)
+		return;
+	m_fault = part.m_fault ? part.m_fault : material.fault();
+	if (!m_fault && !(btElasticPlasticIsFinite(y) && btElasticPlasticIsFinite(z)))
+		m_fault = btElasticPlasticFault("place of a part, y + z [m]", y + z, "finite");
+	if (!m_fault && (m_fibres.size() == 0 || part.m_fibres.size() == 0))
+		m_fault = btElasticPlasticFault("number of fibres of a section and of a part that is added to it", 0,
+										"4 or more of both: call withFibres() first");
+	if (m_fault)
+		return;
+	btAlignedObjectArray<double> shares;
+	findShares(part, shares);
+	m_materials.push_back(material);
+	const int own = m_materials.size();
+	for (int i = 0; i < part.m_materials.size(); ++i)
+		m_materials.push_back(part.m_materials[i]);
+	for (int i = 0; i < part.m_fibres.size(); ++i)
+	{
+		btElasticPlasticSectionFibre fibre = part.m_fibres[i];
+		if (fibre.m_material == 0)
+			fibre.m_excess = btScalar(shares[i] * double(part.m_area) / double(fibre.m_area) - 1);
+		fibre.m_material += own;
+		fibre.m_y += y;
+		fibre.m_z += z;
+		m_fibres.push_back(fibre);
+	}
 }

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_CLUSTERS_H
+#define BT_ELASTIC_PLASTIC_CLUSTERS_H
+
+#include "Region.h"
+
+namespace btElasticPlastic
+{
+struct Cluster
+{
+	double m_y, m_z;  ///< its centroid
+	double m_area;
+};
+
+/// Cuts a figure into about equally large, compact clusters, by Lloyd's method: each has what is nearest to it. They stand in no rows, so that a
+/// straight line cuts few of them at a time; what lies on a line is what a bundle of fibres bears too little of.
+std::vector<Cluster> clustersOf(const Region& region, int count);
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_CLUSTERS_H

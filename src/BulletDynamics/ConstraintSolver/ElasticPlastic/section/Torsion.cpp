@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "Torsion.h"
+
+#include <math.h>
+
+#include "LinearMath/btMinMax.h"
+
+namespace btElasticPlastic
+{
+namespace
+{
+const int PIECES = 2000, LEVELS = 200;
+
+double gapBetween(const Region::Outline& a, const Region::Outline& b)
+{
+	double least = distanceTo(a, b[0]);
+	for (const Region::Point& p : b)
+		least = btMin(least, distanceTo(a, p));
+	for (const Region::Point& p : a)
+		least = btMin(least, distanceTo(b, p));
+	return least;
+}
+
+/// The roof's height over each outline: 0 over the outer one, the first, and over a hole the shortest way from there, through holes for nothing.
+std::vector<double> heightsOf(const std::vector<Region::Outline>& outlines)
+{
+	const size_t n = outlines.size();
+	std::vector<double> heights(n, 0.);
+	for (size_t i = 1; i < n; ++i)
+		heights[i] = gapBetween(outlines[0], outlines[i]);
+	for (size_t round = 1; round < n; ++round)
+		for (size_t i = 1; i < n; ++i)
+			for (size_t j = 1; j < n; ++j)
+				if (i != j)
+					heights[i] = btMin(heights[i], heights[j] + gapBetween(outlines[i], outlines[j]));
+	return heights;
+}
+}  // namespace
+
+Torsion torsionOf(const Region& region)
+{
+	const std::vector<double> heights = heightsOf(region.m_outlines);
+	const auto roofAt = [&](const Region::Point& p)
+	{
+		double roof = distanceTo(region.m_outlines[0], p);
+		for (size_t h = 1; h < heights.size(); ++h)
+			roof = btMin(roof, heights[h] + distanceTo(region.m_outlines[h], p));
+		return roof;
+	};
+	/// A piece of the figure, and between which heights the roof over it lies.
+	struct Tile
+	{
+		double m_area, m_low, m_high;
+	};
+	std::vector<Region> pieces;
+	region.cut(region.moments().m_area / PIECES, pieces);
+	std::vector<Tile> tiles;
+	double volume = 0, highest = 0;
+	for (const Region& piece : pieces)
+	{
+		const Region::Moments m = piece.moments();
+		const Region::Point middle = {m.m_y / m.m_area, m.m_z / m.m_area};
+		const double roof = roofAt(middle), off = 1e-3 * sqrt(m.m_area);
+		const double slopeY =
+						 (roofAt({middle.m_y + off, middle.m_z}) - roofAt({middle.m_y - off, middle.m_z})) / off / 2,
+					 slopeZ =
+						 (roofAt({middle.m_y, middle.m_z + off}) - roofAt({middle.m_y, middle.m_z - off})) / off / 2;
+		const Region::Moments own = m.centred();
+		const double square = slopeY * slopeY * own.m_yy + 2 * slopeY * slopeZ * own.m_yz + slopeZ * slopeZ * own.m_zz;
+		// As of a rectangle with a side along the line of even height.
+		const double half = sqrt(btMax(3 * square / m.m_area, 0.));
+		const Tile tile = {m.m_area, btMax(roof - half, 0.), roof + half};
+		volume += tile.m_area * roof;
+		highest = btMax(highest, tile.m_high);
+		tiles.push_back(tile);
+	}
+	for (size_t h = 1; h < heights.size(); ++h)
+		volume -= areaOf(region.m_outlines[h]) * heights[h];
+
+	const double step = highest / LEVELS;
+	double inLevel[LEVELS] = {};
+	for (const Tile& tile : tiles)
+	{
+		const double high = btMax(tile.m_high, tile.m_low + 1e-9 * step);
+		for (int k = btMin(int(tile.m_low / step), LEVELS - 1); k < LEVELS && k * step < high; ++k)
+			inLevel[k] += tile.m_area * btMax(0., btMin(high, (k + 1) * step) - btMax(tile.m_low, k * step)) /
+						  (high - tile.m_low);
+	}
+	double constant = 0, within = 0;
+	for (int k = LEVELS - 1; k >= 0; --k)
+	{
+		for (size_t h = 1; h < heights.size(); ++h)
+			if (btMin(int(heights[h] / step - 0.5), LEVELS - 1) == k)
+				within -= areaOf(region.m_outlines[h]);
+		const double inner = within;
+		within += inLevel[k];
+		if (inLevel[k] > 0)
+			constant += 4. / 3 * (inner * inner + inner * within + within * within) * step * step / inLevel[k];
+	}
+	return {constant, 2 * volume};
+}
+}  // namespace btElasticPlastic
