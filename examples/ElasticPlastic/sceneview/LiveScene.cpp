@@ -52,7 +52,10 @@ std::string LiveScene::title() const
 
 void LiveScene::build(const SceneDescription& scene)
 {
-	m_simulation = std::make_unique<Simulation>(scene);
+	auto simulation = std::make_unique<Simulation>(scene);  // what is there goes on if this one cannot be built
+	m_hand.reset();
+	m_simulation = std::move(simulation);
+	m_hand = std::make_unique<Hand>(m_simulation->world());
 	m_probes.assign(scene.probes.size(), {});
 	m_history.clear();
 	m_selected = -1;
@@ -210,11 +213,8 @@ void LiveScene::joints(Panel& panel)
 						 btElasticPlasticDofName(u.reading.limitingDof), format("%.0f %%", 100 * u.reading.damage)}});
 	}
 	const int clicked = panel.table("joints", {"joint", "used", "by", "worn"}, rows, selected);
-	if (clicked >= 0 && used[size_t(clicked)].index != m_selected)
-	{
-		m_selected = used[size_t(clicked)].index;
-		m_history.clear();
-	}
+	if (clicked >= 0)
+		select(used[size_t(clicked)].index);
 	if (m_selected >= 0)
 		panel.plot(("used: " + m_simulation->scene().joints[size_t(m_selected)].name).c_str(),
 				   {m_history, double(stepTime()), "", 1});
@@ -242,6 +242,51 @@ std::string LiveScene::shortName(int joint) const
 	return name.size() > LONGEST_NAME ? ".." + name.substr(name.size() - LONGEST_NAME) : name;
 }
 
+void LiveScene::select(int joint)
+{
+	if (joint == m_selected)
+		return;
+	m_selected = joint;
+	m_history.clear();
+}
+
+/// The joint of the body that is nearest to where it is held is looked at.
+bool LiveScene::grab(const Ray& ray)
+{
+	const btRigidBody* const body = m_hand->grab(ray.from, ray.direction);
+	if (!body)
+		return false;
+	btScalar least = BT_LARGE_FLOAT;
+	int nearest = m_selected;
+	for (size_t i = 0; i < m_simulation->scene().joints.size(); ++i)
+	{
+		const auto& bodies = m_simulation->scene().joints[i].bodies;
+		const btElasticPlasticJoint* const joint = m_simulation->joint(int(i));
+		if (!joint || (m_simulation->body(bodies[0]) != body && m_simulation->body(bodies[1]) != body))
+			continue;
+		const btScalar distance = joint->getPosition().distance(m_hand->place());
+		if (distance < least)
+		{
+			least = distance;
+			nearest = int(i);
+		}
+	}
+	select(nearest);
+	return true;
+}
+
+void LiveScene::throwBall(const Ray& ray)
+{
+	SceneDescription::Body ball;
+	ball.name = "ball " + std::to_string(++m_balls);
+	ball.shape.kind = SceneDescription::ShapeKind::Sphere;
+	ball.shape.size.setValue(m_bounds.size().length() / 40, 0, 0);
+	ball.pose.setOrigin(ray.from);
+	ball.velocity = ray.direction.normalized() * 25;
+	ball.colour.setValue(btScalar(.05), btScalar(.05), btScalar(.06));
+	m_simulation->add(ball);
+}
+
 void LiveScene::key(char key)
 {
 	if (key != 'b')
@@ -249,14 +294,7 @@ void LiveScene::key(char key)
 	// From where the scene's camera stands, to what it looks at.
 	const Camera camera = cameraOf(*m_simulation);
 	const btVector3 way = camera.target - camera.eye;
-	SceneDescription::Body ball;
-	ball.name = "ball " + std::to_string(++m_balls);
-	ball.shape.kind = SceneDescription::ShapeKind::Sphere;
-	ball.shape.size.setValue(m_bounds.size().length() / 40, 0, 0);
-	ball.pose.setOrigin(camera.eye + way * btScalar(.3));
-	ball.velocity = way.normalized() * 25;
-	ball.colour.setValue(btScalar(.05), btScalar(.05), btScalar(.06));
-	m_simulation->add(ball);
+	throwBall({camera.eye + way * btScalar(.3), way});
 }
 
 std::vector<std::string> LiveScene::keyHelp() const { return {"B  throws a ball"}; }

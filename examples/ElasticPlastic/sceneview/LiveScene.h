@@ -9,6 +9,7 @@
 
 #include "drawing/ViewedScene.h"
 #include "simulation/Simulation.h"
+#include "world/Hand.h"
 
 namespace ep
 {
@@ -29,6 +30,10 @@ public:
 	btVector3 sight() const override;
 	std::vector<std::string> panels() const override { return {"What happens", "Joints"}; }
 	void panel(size_t number, Panel& panel) override;
+	bool grab(const Ray& ray) override;
+	void drag(const Ray& ray) override { m_hand->drag(ray.from, ray.direction); }
+	void release() override { m_hand->release(); }
+	void throwBall(const Ray& ray) override;
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
 
@@ -51,10 +56,12 @@ private:
 	void joints(Panel& panel);
 	void broken(Panel& panel);
 	std::string shortName(int joint) const;
+	void select(int joint);
 
 	std::string m_file, m_complaint;
 	std::vector<Watched> m_watched;
 	std::unique_ptr<Simulation> m_simulation;
+	std::unique_ptr<Hand> m_hand;              // in its world
 	std::vector<std::vector<float>> m_probes;  // of each, its values at all steps
 	Bounds m_bounds;                           // at the start
 	int m_untilLook = 0, m_selected = -1, m_balls = 0;
