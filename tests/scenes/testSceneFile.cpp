@@ -142,6 +142,26 @@ TEST(SceneErrors, OfWhatTheLibraryRefuses)
 				{"either material and section, or capacity"});
 }
 
+TEST(SceneErrors, OfFibresAndFires)
+{
+	expectParts(complaintOf(R"("sections": {"s": {"rectangle": [1, 1], "fibres": 3}})"), {"number of fibres is 3"});
+	expectParts(complaintOf(R"("sections": {"s": {"polygon": [0, 0, 1, 1, 1, 0, 0]}})"),
+				{"sections.s.polygon has an odd number of numbers"});
+	expectParts(complaintOf(R"("sections": {"s": {"polygon": [0, 0, 2, 2, 2, 0, 0, 1]}})"),
+				{"outlines of a section meet"});
+	expectParts(complaintOf(R"("sections": {"s": {"circle": 1, "holes": [{"corners": [0, 0, 1, 1, 1, 0]}]}})"),
+				{"sections.s.holes are for a polygon"});
+	expectParts(complaintOf(R"("sections": {"s": {"circle": 1, "bars": [{"at": [0, 0], "area": 1, "material": {}}]}})"),
+				{"it must have the key fibres"});
+	expectParts(complaintOf(R"("materials": {"m": {"hardening": [0.1, 3e8, 0.2]}})"),
+				{"materials.m.hardening has an odd number of numbers; each strain has a stress"});
+	expectParts(complaintOf(R"("materials": {"m": {"hardening": [0.1, 3e8, 0.1, 4e8]}})"),
+				{"materials.m is not possible"});
+	expectParts(complaintOf(R"("materials": {"m": {"rate": [40, 0.5]}})"), {"materials.m is not possible"});
+	expectParts(complaintOf(R"("fires": [{"on": "nothing", "over": [0, 20, 1, 500]}])"), {"fires.0.on is no joint"});
+	expectParts(complaintOf(R"("fires": [{"on": "nothing", "over": [0, 20, 1]}])"), {"each time has a temperature"});
+}
+
 TEST(SceneErrors, OfAFileThatIsNotThere)
 {
 	expectParts(complaintOf([] { SceneText::read("nowhere.json"); }), {"nowhere.json: ", "cannot be read"});

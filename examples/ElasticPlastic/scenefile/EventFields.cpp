@@ -40,21 +40,26 @@ namespace
 const std::vector<std::string> AXES = {"x", "y", "z", "length"};
 const std::vector<std::string> DOFS = {"axial", "shear_y", "shear_z", "torsion", "bending_y", "bending_z"};
 
-void courseFields(Fields& f, SceneDescription::Course& course)
+/// Pairs of a time and a value.
+void tableField(Fields& f, std::vector<std::pair<double, double>>& table, const char* help, const char* value,
+				Need need = Need::Optional)
 {
 	std::vector<double> v;
-	if (f.numbers("over", v, 2, 2000, {-1e12, 1e12}, "", "time [s], factor, time, factor ...: straight between them") &&
-		!v.empty())
+	if (!f.numbers("over", v, 2, 2000, {-1e12, 1e12}, "", help, need))
+		return;
+	if (v.size() % 2 != 0)
+		f.refuse("over", std::string("has an odd number of numbers; each time has a ") + value);
+	for (size_t i = 0; i + 1 < v.size(); i += 2)
 	{
-		if (v.size() % 2 != 0)
-			f.refuse("over", "has an odd number of numbers; each time has a factor");
-		for (size_t i = 0; i + 1 < v.size(); i += 2)
-		{
-			if (i > 0 && v[i] <= v[i - 2])
-				f.refuse("over", "has times that do not grow");
-			course.table.emplace_back(v[i], v[i + 1]);
-		}
+		if (i > 0 && v[i] <= v[i - 2])
+			f.refuse("over", "has times that do not grow");
+		table.emplace_back(v[i], v[i + 1]);
 	}
+}
+
+void courseFields(Fields& f, SceneDescription::Course& course)
+{
+	tableField(f, course.table, "time [s], factor, time, factor ...: straight between them", "factor");
 	f.number("frequency", course.frequency, {0, 1e4}, "Hz", "of a sine by which it is multiplied; 0: none");
 	f.number("phase", course.phase, {-1e4, 1e4}, "degrees", "of this sine");
 }
@@ -77,6 +82,19 @@ void loadFields(Fields& f, SceneBuilder& builder)
 	if (!on.empty())
 		load.bodies = builder.bodies(f, "on", on);
 	builder.scene().loads.push_back(load);
+}
+
+void fireFields(Fields& f, SceneBuilder& builder)
+{
+	SceneDescription::Fire fire;
+	std::string on;
+	f.text("on", on, "name of a joint, or a pattern with * for several", Need::Required);
+	tableField(f, fire.temperature,
+			   "time [s], temperature of the steel [degrees Celsius], time, ...: straight between them", "temperature",
+			   Need::Required);
+	if (!on.empty())
+		fire.joints = builder.joints(f, "on", on);
+	builder.scene().fires.push_back(fire);
 }
 
 void blastFields(Fields& f, SceneDescription::Blast& b)

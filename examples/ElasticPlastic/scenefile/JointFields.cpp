@@ -113,6 +113,7 @@ bool memberFields(Fields& f, SceneBuilder& builder, SceneDescription::Joint& joi
 	{
 		joint.capacity = btElasticPlasticCapacity::fromMember(material.law, section.section, btScalar(lengths[0]),
 															  btScalar(lengths[1]), btScalar(gauge));
+		joint.frame = joint.frame * turnOf(section.section);
 		joint.height = section.height;
 		joint.width = section.width;
 	}

@@ -3,6 +3,8 @@
 
 #include "scenefile/SceneBuilder.h"
 
+#include <algorithm>
+
 namespace ep
 {
 namespace
@@ -31,6 +33,99 @@ void refuseFault(Fields& f, const btElasticPlasticFault& fault)
 	if (fault)
 		f.refuse("", std::string("is not possible: ") + text);
 }
+/// What only sections with fibres know.
+void fibreFields(Fields& f, btElasticPlasticMaterial& law)
+{
+	f.scalar("tensile_share", law.m_tensileShare, Range::notNegative(), "",
+			 "of fibres: strength in tension over yield_stress, 0 of concrete");
+	f.scalar("crushing_strain", law.m_crushingStrain, Range::notNegative(), "",
+			 "of fibres: plastic strain at which they are crushed; 0: as when they tear");
+	f.scalar("fracture_energy", law.m_fractureEnergy, Range::notNegative(), "J/m^2",
+			 "of fibres: taken up by a crack until it is open; 0: strength stays until then");
+	f.scalar("kinematic_share", law.m_kinematicShare, {0, 1}, "", "of fibres: how much of the hardening is kinematic");
+	std::vector<double> v;
+	if (f.numbers("hardening", v, 2, 100, Range::above(0), "",
+				  "of fibres: plastic strain, stress [Pa], strain, stress ...: straight between them") &&
+		v.size() % 2 != 0)
+		f.refuse("hardening", "has an odd number of numbers; each strain has a stress");
+	else if (!v.empty())
+		law.m_hardening.clear();
+	for (size_t i = 0; i + 1 < v.size(); i += 2)
+		law.m_hardening.push_back({btScalar(v[i]), btScalar(v[i + 1])});
+	v.clear();
+	if (f.numbers("rate", v, 2, 2, Range::above(0), "",
+				  "of fibres: D [1/s] and q of Cowper and Symonds, by which it is stronger when it flows fast") &&
+		v.size() == 2)
+		law.m_rate = btElasticPlasticRate::of(btScalar(v[0]), btScalar(v[1]));
+}
+
+/// One outline, as the library has it.
+int addOutline(Fields& f, const char* key, const char* help, Need need,
+			   std::vector<btElasticPlasticSectionPoint>& corners)
+{
+	std::vector<double> v;
+	if (f.numbers(key, v, 6, 1000, Range::place(), "m", help, need) && v.size() % 2 != 0)
+		f.refuse(key, "has an odd number of numbers; each corner has a y and a z");
+	for (size_t i = 0; i + 1 < v.size(); i += 2)
+		corners.push_back({btScalar(v[i]), btScalar(v[i + 1])});
+	return int(v.size() / 2);
+}
+
+void polygonFields(Fields& f, SceneDescription::Section& s)
+{
+	std::vector<btElasticPlasticSectionPoint> corners;
+	std::vector<int> counts;
+	counts.push_back(addOutline(f, "polygon", "y, z, y, z ... of its corners", Need::Optional, corners));
+	const bool hasHoles = f.list("holes", 100, "in a polygon",
+								 [&](Fields& in) {
+									 counts.push_back(addOutline(in, "corners", "y, z, y, z ... of the hole's corners",
+																 Need::Required, corners));
+								 });
+	if (counts[0] == 0)
+	{
+		if (hasHoles)
+			f.refuse("holes", "are for a polygon");
+		return;
+	}
+	if (f.hasFailed())
+		return;
+	s.section = btElasticPlasticSection::polygon(corners.data(), counts.data(), int(counts.size()));
+	double low[2] = {double(corners[0].m_y), double(corners[0].m_z)}, high[2] = {low[0], low[1]};
+	for (const auto& corner : corners)
+		for (int k = 0; k < 2; ++k)
+		{
+			const double place = double(k == 0 ? corner.m_y : corner.m_z);
+			low[k] = std::min(low[k], place);
+			high[k] = std::max(high[k], place);
+		}
+	s.height = high[0] - low[0];
+	s.width = high[1] - low[1];
+}
+
+void fibresOf(Fields& f, SceneBuilder& builder, SceneDescription::Section& s)
+{
+	const int uncut = -1;
+	int fibres = uncut;
+	f.whole("fibres", fibres, uncut, 400,
+			"about how many it is cut into, so that axial force and bending yield together; 0: the usual number, -1: "
+			"it is not");
+	if (fibres != uncut)
+		s.section = s.section.withFibres(fibres);
+	f.list("bars", 1000, "of reinforcement, in a section with fibres",
+		   [&](Fields& in)
+		   {
+			   std::vector<double> at = {0, 0};
+			   double area = 0;
+			   SceneDescription::Material material;
+			   in.numbers("at", at, 2, 2, Range::place(), "m", "y and z from the section's centroid", Need::Required);
+			   in.number("area", area, Range::above(0), "m^2", "of the bar", Need::Required);
+			   materialField(in, "material", builder, material, Need::Required);
+			   if (fibres == uncut)
+				   in.refuse("", "is in a section that is not cut: it must have the key fibres");
+			   else if (at.size() == 2 && !in.hasFailed())
+				   s.section.addBar(btScalar(at[0]), btScalar(at[1]), btScalar(area), material.law);
+		   });
+}
 }  // namespace
 
 void materialFields(Fields& f, SceneDescription::Material& m)
@@ -45,11 +140,12 @@ void materialFields(Fields& f, SceneDescription::Material& m)
 			 "part of a section that bears load, as the steel in concrete");
 	f.named("shear_yield", law.m_shearYield, shearYields(),
 			"how the yield stress in shear follows from the one in tension");
+	fibreFields(f, law);
 	f.vector("colour", m.colour, "", "red, green and blue, linear", Need::Optional, {0, 1});
 	refuseFault(f, law.fault());
 }
 
-void sectionFields(Fields& f, SceneDescription::Section& s)
+void sectionFields(Fields& f, SceneBuilder& builder, SceneDescription::Section& s)
 {
 	const Range size = Range::above(0);
 	std::vector<double> v;
@@ -76,7 +172,15 @@ void sectionFields(Fields& f, SceneDescription::Section& s)
 		rectangle(btElasticPlasticSection::hollowRectangle(btScalar(v[0]), btScalar(v[1]), btScalar(v[2])));
 	if (is(f.numbers("i", v, 4, 4, size, "m", "width, height, web and flange"), 4))
 		rectangle(btElasticPlasticSection::iSection(btScalar(v[0]), btScalar(v[1]), btScalar(v[2]), btScalar(v[3])));
-	f.oneOf({"rectangle", "circle", "tube", "box", "i"});
+	if (is(f.numbers("t", v, 4, 4, size, "m", "width, height, web and flange"), 4))
+		rectangle(btElasticPlasticSection::tSection(btScalar(v[0]), btScalar(v[1]), btScalar(v[2]), btScalar(v[3])));
+	if (is(f.numbers("channel", v, 4, 4, size, "m", "width, height, web and flange"), 4))
+		rectangle(btElasticPlasticSection::channel(btScalar(v[0]), btScalar(v[1]), btScalar(v[2]), btScalar(v[3])));
+	if (is(f.numbers("angle", v, 3, 3, size, "m", "width, height and thickness"), 3))
+		rectangle(btElasticPlasticSection::angle(btScalar(v[0]), btScalar(v[1]), btScalar(v[2])));
+	polygonFields(f, s);
+	f.oneOf({"rectangle", "circle", "tube", "box", "i", "t", "channel", "angle", "polygon"});
+	fibresOf(f, builder, s);
 	refuseFault(f, s.section.m_fault);
 }
 
@@ -93,6 +197,6 @@ bool sectionField(Fields& f, const char* key, SceneBuilder& builder, SceneDescri
 	return f.reference(
 		key, "section", keysOf(builder.m_sections),
 		[&](const std::string& name) { section = builder.m_sections.at(name); }, "name of a section, or one",
-		[&](Fields& inner) { sectionFields(inner, section); }, need);
+		[&](Fields& inner) { sectionFields(inner, builder, section); }, need);
 }
 }  // namespace ep

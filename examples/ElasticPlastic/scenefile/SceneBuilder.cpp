@@ -164,6 +164,11 @@ bool SceneBuilder::hasRoom(Fields& f, double bodies)
 	return hasRoom;
 }
 
+btTransform turnOf(const btElasticPlasticSection& section)
+{
+	return btTransform(btQuaternion(btVector3(1, 0, 0), section.m_turn));
+}
+
 btTransform frameAlong(const btVector3& origin, const btVector3& along, const btVector3& up)
 {
 	const btVector3 x = along.normalized();

@@ -64,17 +64,21 @@ bool sectionField(Fields& f, const char* key, SceneBuilder& builder, SceneDescri
 
 // What each kind of object has.
 void materialFields(Fields& f, SceneDescription::Material& material);
-void sectionFields(Fields& f, SceneDescription::Section& section);
+void sectionFields(Fields& f, SceneBuilder& builder, SceneDescription::Section& section);
 void bodyFields(Fields& f, SceneBuilder& builder);
 void jointFields(Fields& f, SceneBuilder& builder);
 void structureFields(Fields& f, SceneBuilder& builder);
 void loadFields(Fields& f, SceneBuilder& builder);
+void fireFields(Fields& f, SceneBuilder& builder);
 void blastFields(Fields& f, SceneDescription::Blast& blast);
 void eventFields(Fields& f, SceneBuilder& builder);
 void probeFields(Fields& f, SceneBuilder& builder);
 
 /// Pose of a thing: keys at and turn.
 void poseFields(Fields& f, btTransform& pose);
+
+/// From a member's axes, in which its section is drawn, to the section's principal ones; its centroid is on the member's line.
+btTransform turnOf(const btElasticPlasticSection& section);
 
 /// With x along and y as near to up as can be.
 btTransform frameAlong(const btVector3& origin, const btVector3& along, const btVector3& up);

@@ -135,6 +135,14 @@ struct SceneDescription
 		Course course;
 	};
 
+	/// Joints of steel that get hot.
+	struct Fire
+	{
+		std::vector<int> joints;
+		std::vector<std::pair<double, double>>
+			temperature;  ///< time [s] and degrees Celsius, straight between points, even before and after them
+	};
+
 	/// A wave of pressure from a point, which falls with the distance and lasts shortly.
 	struct Blast
 	{
@@ -218,6 +226,7 @@ struct SceneDescription
 	std::vector<Body> bodies;
 	std::vector<Joint> joints;
 	std::vector<Load> loads;
+	std::vector<Fire> fires;
 	std::vector<Blast> blasts;
 	std::vector<Event> events;
 	std::vector<Probe> probes;

@@ -57,6 +57,8 @@ double lastDeedOf(const SceneDescription& scene)
 		last = std::max(last, blast.time);
 	for (const auto& load : scene.loads)
 		last = std::max(last, load.course.table.empty() ? 0. : load.course.table.back().first);
+	for (const auto& fire : scene.fires)
+		last = std::max(last, fire.temperature.back().first);
 	return last;
 }
 
@@ -320,6 +322,7 @@ void Simulation::substep(btScalar dt)
 	if (m_beforeSubstep)
 		m_beforeSubstep(m_run.time + double(dt) / 2);
 	setGravity();
+	heatJoints(m_run.time);
 	moveKinematic(m_run.time + double(dt));
 	applyLoads(m_scene.loads, m_run.time + double(dt) / 2);
 	applyLoads(m_addedLoads, m_run.time + double(dt) / 2);
@@ -371,6 +374,32 @@ void Simulation::applyLoads(const std::vector<SceneDescription::Load>& loads, do
 			body.applyForce(turn * load.force * factor, pose * load.at - body.getCenterOfMassPosition());
 			body.applyTorque(turn * load.moment * factor);
 		}
+	}
+}
+
+/// By whole degrees: each change of a capacity costs.
+void Simulation::heatJoints(double time)
+{
+	const int unknown = -1000;
+	m_degrees.resize(m_scene.fires.size(), unknown);
+	for (size_t i = 0; i < m_degrees.size(); ++i)
+	{
+		SceneDescription::Course course;
+		course.table = m_scene.fires[i].temperature;
+		const int degrees = int(std::lround(factorAt(course, time)));
+		if (degrees == m_degrees[i])
+			continue;
+		m_degrees[i] = degrees;
+		const btElasticPlasticHeat heat = btElasticPlasticHeat::steel(btScalar(degrees));
+		double change = 0;
+		for (int index : m_scene.fires[i].joints)
+			if (joint(index) && !isCut(index) && !isBroken(index))
+			{
+				change -= joint(index)->getElasticEnergy();
+				joint(index)->setCapacity(m_scene.joints[size_t(index)].capacity.heated(heat));
+				change += joint(index)->getElasticEnergy();
+			}
+		m_audit->takeChange(change);
 	}
 }
 

@@ -176,6 +176,7 @@ private:
 	void moveKinematic(double time);
 	void applyLoads(const std::vector<SceneDescription::Load>& loads, double time);
 	void applyBlasts(double time, double dt);
+	void heatJoints(double time);
 	void setGravity();
 	void playScript();
 	void appear(int body);
@@ -194,6 +195,7 @@ private:
 	std::unordered_map<const btElasticPlasticJoint*, int> m_indexOf;
 	std::unique_ptr<EnergyAudit> m_audit;
 	std::unique_ptr<btElasticPlasticStepControl> m_control;
+	std::vector<int> m_degrees;  // of the scene's fires, as joints have been given them
 	std::vector<SceneDescription::Load> m_addedLoads;
 	std::function<void(double)> m_beforeSubstep;
 	SimulationState m_run;

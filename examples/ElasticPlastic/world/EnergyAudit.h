@@ -63,6 +63,9 @@ public:
 	/// The most that kinetic energy + what the joints have stored and dissipated has been [J].
 	double turnover() const { return m_turnover; }
 
+	/// Between steps joints have been given other stiffnesses, and with the same force store more or less [J]: that is no step's gain.
+	void takeChange(double stored) { m_held += stored; }
+
 	/// Before a step, when all loads are on. What has changed the bodies' kinetic energy since the last step, and what bodies that are new
 	/// have brought along, is no gain.
 	void begin()

@@ -76,7 +76,7 @@ void Assembly::join(const Tie& tie)
 	joint.name = m_name + "/" + tie.name;
 	joint.bodies[0] = tie.a;
 	joint.bodies[1] = tie.b;
-	joint.frame = tie.frame;
+	joint.frame = tie.frame * turnOf(tie.section);
 	joint.height = 2 * double(tie.section.m_outerFibre[0]);
 	joint.width = 2 * double(tie.section.m_outerFibre[1]);
 	joint.capacity =
