@@ -143,25 +143,35 @@ TEST(Destruction, EnergyIsNotGained)
 
 TEST(Destruction, NorInALargeStructure)
 {
-	// Large enough to be solved in places only; the ball comes at frame 69, and what it has driven into the wall is recovered until 90.
-	const DestructionScene* scene = findDestructionScene("wall-2000-hit");
-	ASSERT_NE(nullptr, scene);
-	Stage stage(Stage::Settings{});
-	scene->build(stage);
-	EnergyAudit audit(stage.world());
-	double largest = 0;
-	while (stage.frame() < 90)
+	// Large enough to be solved in places only. The ball comes at frame 69: what it has driven into the wall is recovered until 90, and in
+	// the lattice contacts of the blow have to let go of what they press.
+	const struct
 	{
-		stage.playScript();
-		audit.begin();
-		stage.step();
-		audit.end(btScalar(Stage::FRAME));
-		largest = std::max(largest, audit.gain() - audit.bulletsRecovery());
+		const char* m_name;
+		int m_broken;  // at least, four times as many at most
+	} cases[] = {{"wall-2000-hit", 50}, {"lattice", 5}};
+	for (const auto& c : cases)
+	{
+		SCOPED_TRACE(c.m_name);
+		const DestructionScene* scene = findDestructionScene(c.m_name);
+		ASSERT_NE(nullptr, scene);
+		Stage stage(Stage::Settings{});
+		scene->build(stage);
+		EnergyAudit audit(stage.world());
+		double largest = 0;
+		while (stage.frame() < 90)
+		{
+			stage.playScript();
+			audit.begin();
+			stage.step();
+			audit.end(btScalar(Stage::FRAME));
+			largest = std::max(largest, audit.gain() - audit.bulletsRecovery());
+		}
+		EXPECT_GT(stage.numBroken(), c.m_broken);
+		EXPECT_LT(stage.numBroken(), 4 * c.m_broken);
+		// As above.
+		EXPECT_LE(largest, 1e-6 * audit.turnover() + byPrecision(0, 1));
 	}
-	EXPECT_GT(stage.numBroken(), 50);
-	EXPECT_LT(stage.numBroken(), 200);
-	// As above.
-	EXPECT_LE(largest, 1e-6 * audit.turnover() + byPrecision(0, 1));
 }
 
 /// Of all bodies that move: momentum, and angular momentum about the origin.

@@ -30,6 +30,8 @@ const int MOST_HEAVY = 64;
 /// Sweeps of contacts between two solutions of the system.
 const int SWEEPS_A_SOLUTION = 2;
 const int SWEEPS_WHERE_IT_FLOWS = 5;
+/// How often swept impulses that give energy are taken back, in the end all of them.
+const int MOST_TAKEN_BACK = 4;
 /// Recovery of swept contacts between loose bodies that is slower than this stays Bullet's [m/s].
 const double SLOW_OF_LOOSE = 0.1;
 /// Inertia over mass [m^2] of a body about an axis about which it has no inertia in Bullet: so much that nothing turns it.
@@ -620,6 +622,18 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 												  : SWEEPS_A_SOLUTION;
 		for (int i = 0; i < most && done < sweeps; ++i, ++done)
 			m_swept.sweep(pools, rowSolvers);
+	}
+	// Impulses of the step before that contacts have no need of by now go slowly where much is joined to the bodies that touch.
+	for (int i = 1; isSolved && i <= MOST_TAKEN_BACK && m_swept.giveEnergy(pools); ++i)
+	{
+		if (i < MOST_TAKEN_BACK)
+			m_swept.takeBackWhatParts(pools);
+		else
+			m_swept.takeBack(pools);
+		takeTargets();
+		m_recovery.keep(m_input);
+		isSolved = m_system.solveAgain(m_input, System::EXACT);
+		writeVelocities(pools);
 	}
 	recover(isSolved, pools, info);
 }

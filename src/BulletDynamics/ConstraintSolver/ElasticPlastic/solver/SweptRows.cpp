@@ -7,6 +7,45 @@
 
 namespace btElasticPlastic
 {
+namespace
+{
+/// What gives less than this share of the bodies' kinetic energy is as good as ten sweeps are.
+const double LITTLE = 1e-4;
+
+btVector3 velocityOf(const btSolverBody& body)
+{
+	return body.m_linearVelocity + body.m_externalForceImpulse + body.m_deltaLinearVelocity;
+}
+
+btVector3 spinOf(const btSolverBody& body)
+{
+	return body.m_angularVelocity + body.m_externalTorqueImpulse + body.m_deltaAngularVelocity;
+}
+
+/// \param velocities  of A, spin of A, of B, spin of B
+double along(const btSolverConstraint& row, const btVector3 velocities[4])
+{
+	return double(row.m_contactNormal1.dot(velocities[0]) + row.m_relpos1CrossNormal.dot(velocities[1]) +
+				  row.m_contactNormal2.dot(velocities[2]) + row.m_relpos2CrossNormal.dot(velocities[3]));
+}
+
+double changeAlong(const btSolverConstraint& row, const btSolverBody& A, const btSolverBody& B)
+{
+	const btVector3 changes[4] = {A.m_deltaLinearVelocity, A.m_deltaAngularVelocity, B.m_deltaLinearVelocity,
+								  B.m_deltaAngularVelocity};
+	return along(row, changes);
+}
+
+void takeBackRow(btSolverConstraint& row, btSolverBody& A, btSolverBody& B)
+{
+	A.internalApplyImpulse(row.m_contactNormal1 * A.internalGetInvMass(), row.m_angularComponentA,
+						   -row.m_appliedImpulse);
+	B.internalApplyImpulse(row.m_contactNormal2 * B.internalGetInvMass(), row.m_angularComponentB,
+						   -row.m_appliedImpulse);
+	row.m_appliedImpulse = 0;
+}
+}  // namespace
+
 void SweptRows::clear(btScalar share)
 {
 	m_share = share;
@@ -42,30 +81,51 @@ double SweptRows::findMade(const SolverPools& pools) const
 	forAll(pools,
 		   [&](const btSolverConstraint& row, const btSolverBody& A, const btSolverBody& B)
 		   {
-			   const btScalar along = row.m_contactNormal1.dot(A.m_deltaLinearVelocity) +
-									  row.m_relpos1CrossNormal.dot(A.m_deltaAngularVelocity) +
-									  row.m_contactNormal2.dot(B.m_deltaLinearVelocity) +
-									  row.m_relpos2CrossNormal.dot(B.m_deltaAngularVelocity);
 			   // The row in Bullet's terms, see DirectForm::addRow().
 			   const double impulse = row.m_appliedImpulse,
 							asked = double(row.m_rhs) - 0.5 * double(row.m_cfm) * impulse;
-			   made += impulse * (0.5 * double(along) - asked / double(row.m_jacDiagABInv));
+			   made += impulse * (0.5 * changeAlong(row, A, B) - asked / double(row.m_jacDiagABInv));
 		   });
 	return made;
 }
 
-void SweptRows::takeBack(const SolverPools& pools) const
+bool SweptRows::giveEnergy(const SolverPools& pools) const
+{
+	double given = 0;
+	forAll(pools,
+		   [&](const btSolverConstraint& row, const btSolverBody& A, const btSolverBody& B)
+		   {
+			   const btVector3 velocities[4] = {velocityOf(A), spinOf(A), velocityOf(B), spinOf(B)};
+			   // Restitution, and recovery that is Bullet's, ask for some speed.
+			   const double impulse = row.m_appliedImpulse, speed = along(row, velocities),
+							more = changeAlong(row, A, B) - double(row.m_rhs) / double(row.m_jacDiagABInv);
+			   given += btMin(impulse * speed, impulse * more);
+		   });
+	double kinetic = 0;
+	for (int i = 0; i < pools.m_bodies.size(); ++i)
+	{
+		const btSolverBody& body = pools.m_bodies[i];
+		if (!body.m_originalBody || !(body.m_originalBody->getInvMass() > 0))
+			continue;
+		const double mass = 1 / double(body.m_originalBody->getInvMass());
+		given -= 0.5 * mass * double((velocityOf(body) - body.m_linearVelocity).length2());
+		kinetic += 0.5 * mass * double((body.m_linearVelocity + body.m_externalForceImpulse).length2());
+	}
+	return given > LITTLE * kinetic;
+}
+
+void SweptRows::takeBackWhatParts(const SolverPools& pools) const
 {
 	forAll(pools,
 		   [](btSolverConstraint& row, btSolverBody& A, btSolverBody& B)
 		   {
-			   A.internalApplyImpulse(row.m_contactNormal1 * A.internalGetInvMass(), row.m_angularComponentA,
-									  -row.m_appliedImpulse);
-			   B.internalApplyImpulse(row.m_contactNormal2 * B.internalGetInvMass(), row.m_angularComponentB,
-									  -row.m_appliedImpulse);
-			   row.m_appliedImpulse = 0;
+			   const double asked = double(row.m_rhs) / double(row.m_jacDiagABInv);
+			   if (double(row.m_appliedImpulse) * (changeAlong(row, A, B) - asked) > 0)
+				   takeBackRow(row, A, B);
 		   });
 }
+
+void SweptRows::takeBack(const SolverPools& pools) const { forAll(pools, takeBackRow); }
 
 void SweptRows::sweep(const SolverPools& pools, const RowSolvers& solvers) const
 {

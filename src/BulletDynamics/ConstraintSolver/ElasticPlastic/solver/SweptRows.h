@@ -40,8 +40,15 @@ public:
 	/// than the contacts ask for by now.
 	double findMade(const SolverPools& pools) const;
 
+	/// Whether the rows' impulses, with the bodies' velocities as they are to be, give more work than a step takes by changing velocities
+	/// at once: some push bodies that part faster than they are asked for.
+	bool giveEnergy(const SolverPools& pools) const;
+
 	/// Takes Bullet's warm start back, from rows and from bodies.
 	void takeBack(const SolverPools& pools) const;
+
+	/// Takes the impulses of rows back whose bodies do more than they are asked for along them.
+	void takeBackWhatParts(const SolverPools& pools) const;
 
 	/// One sweep over all rows: bodies' changes of velocity and rows' impulses.
 	void sweep(const SolverPools& pools, const RowSolvers& solvers) const;
