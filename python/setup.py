@@ -26,7 +26,7 @@ class CMakeBuild(build_ext):
 		build = pathlib.Path(os.environ.get("BULLET_EP_PYTHON_BUILD") or self.build_temp).resolve()
 		subprocess.run(["cmake", "-S", PROJECT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
 						"-DBULLET_EP_BUILD_PYTHON=ON", "-DBULLET_EP_BUILD_TESTS=OFF", "-DBULLET_EP_BUILD_BENCHMARKS=OFF",
-						"-DBULLET_EP_INSTALL=OFF", "-DBUILD_SHARED_LIBS=OFF", f"-DPython3_EXECUTABLE={sys.executable}",
+						"-DBULLET_EP_INSTALL=OFF", "-DBUILD_SHARED_LIBS=OFF", "-DCMAKE_UNITY_BUILD=ON", f"-DPython3_EXECUTABLE={sys.executable}",
 						f"-Dpybind11_DIR={pybind11.get_cmake_dir()}",
 						*shlex.split(os.environ.get("CMAKE_ARGS", ""))], check=True)
 		subprocess.run(["cmake", "--build", build, "--target", "python-package"], check=True)

@@ -8,7 +8,7 @@ namespace ep
 namespace
 {
 const btScalar SPEED = 12, SLOW = 2;  // [m/s]
-const double LONGEST = 600;           // [s]
+const double LONGEST_FALL = 600;      // [s]
 
 Leg to(btScalar x, btScalar speed, btScalar wait = 0)
 {
@@ -62,7 +62,7 @@ bool Figure11::drive(const Route& route, const std::function<void()>& stepped)
 	m_demolisher.follow(route);
 	while (!m_demolisher.autopilot().hasArrived())
 	{
-		if (m_demolisher.time() > LONGEST)
+		if (m_demolisher.time() > LONGEST_FALL)
 			return false;
 		const bool stood = !hasFallen();
 		m_demolisher.stepByAutopilot();

@@ -8,7 +8,7 @@ namespace ep
 {
 namespace
 {
-const Colour CONCRETE = {.50f, .48f, .44f}, OLD_CONCRETE = {.36f, .345f, .32f}, ASPHALT = {.075f, .075f, .08f},
+const Colour NEW_CONCRETE = {.50f, .48f, .44f}, OLD_CONCRETE = {.36f, .345f, .32f}, ASPHALT = {.075f, .075f, .08f},
 			 PAINT = {.62f, .60f, .54f};
 
 void addRoads(std::vector<Part>& parts, const Bridge& bridge)
@@ -82,7 +82,7 @@ void addParts(Drawing& drawing, const World& world, const Bridge& bridge, const 
 	addRoads(drawing.parts, bridge);
 	for (btScalar side : {btScalar(-1), btScalar(1)})
 		addSupport(drawing.parts, bridge, side);
-	addBeam(drawing, world, bridge.deck(), CONCRETE, 0, style.skin);
+	addBeam(drawing, world, bridge.deck(), NEW_CONCRETE, 0, style.skin);
 	addRoadway(drawing, world, bridge, style.skin);
 	if (!style.joints)
 		return;

@@ -8,7 +8,7 @@ namespace ep
 namespace
 {
 const Colour YELLOW = {.78f, .36f, .02f}, DARK = {.05f, .05f, .055f}, GLASS = {.03f, .05f, .07f},
-			 STEEL = {.22f, .22f, .23f}, RUBBER = {.028f, .028f, .03f}, LAMP = {.95f, .9f, .7f},
+			 CHASSIS = {.22f, .22f, .23f}, RUBBER = {.028f, .028f, .03f}, LAMP = {.95f, .9f, .7f},
 			 RUBBLE = {.27f, .25f, .22f};
 
 /// Profiles and places in the vehicle's frame: x forward, y up, from the box's centre [m].
@@ -46,7 +46,7 @@ void addBody(std::vector<Part>& parts, const btTransform& pose)
 		box(placed(x, 1.0), size(.14, 1.0, 3.06), {.55f, .25f, .015f}, .3f);
 	prism({p(1.0, .42), p(1.12, .42), p(1.12, 2.35), p(1.0, 2.35)}, 2.9, YELLOW, .35f);
 	// Blade
-	prism({p(3.5, -.95), p(3.85, -1.05), p(3.72, -.4), p(3.85, .3), p(3.5, .2)}, 3.3, STEEL, .6f);
+	prism({p(3.5, -.95), p(3.85, -1.05), p(3.72, -.4), p(3.85, .3), p(3.5, .2)}, 3.3, CHASSIS, .6f);
 	for (double z : {-1.05, 1.05})
 	{
 		box(placed(3.52, .7, z), size(.06, .22, .34), LAMP, .8f);

@@ -3,15 +3,13 @@
 
 #include "gltf/GltfFilm.h"
 
-#include <tiny_gltf.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <fstream>
 #include <map>
 #include <stdexcept>
 
+#include "gltf/BufferWriter.h"
 #include "gltf/Members.h"
 #include "world/JointReading.h"
 
@@ -22,68 +20,6 @@ namespace
 using Value = tinygltf::Value;
 
 const btScalar BENT = btScalar(.001);  // [rad], or of its length: a member that is bent less is drawn as it is
-
-/// Numbers in the file's one buffer, in groups of some components.
-class Writer
-{
-public:
-	explicit Writer(tinygltf::Model& model) : m_model(model) { m_model.buffers.emplace_back(); }
-
-	/// \return the accessor
-	int add(const std::vector<float>& numbers, int components, int target = 0)
-	{
-		static const std::map<int, int> types = {
-			{1, TINYGLTF_TYPE_SCALAR}, {3, TINYGLTF_TYPE_VEC3}, {4, TINYGLTF_TYPE_VEC4}, {16, TINYGLTF_TYPE_MAT4}};
-		tinygltf::Accessor& accessor =
-			add(numbers.data(), numbers.size() * sizeof(float), numbers.size() / size_t(components),
-				TINYGLTF_COMPONENT_TYPE_FLOAT, types.at(components), target);
-		// The format asks for the range of places and times.
-		for (int i = 0; i < components && accessor.count > 0; ++i)
-		{
-			float low = numbers[size_t(i)], high = low;
-			for (size_t k = size_t(i); k < numbers.size(); k += size_t(components))
-			{
-				low = std::min(low, numbers[k]);
-				high = std::max(high, numbers[k]);
-			}
-			accessor.minValues.push_back(double(low));
-			accessor.maxValues.push_back(double(high));
-		}
-		return int(m_model.accessors.size()) - 1;
-	}
-
-	/// The joints of a skin that a corner follows, four of each.
-	int addJoints(const std::vector<unsigned char>& joints)
-	{
-		add(joints.data(), joints.size(), joints.size() / 4, TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_TYPE_VEC4,
-			TINYGLTF_TARGET_ARRAY_BUFFER);
-		return int(m_model.accessors.size()) - 1;
-	}
-
-private:
-	tinygltf::Accessor& add(const void* values, size_t bytes, size_t count, int component, int type, int target)
-	{
-		std::vector<unsigned char>& data = m_model.buffers[0].data;
-		tinygltf::BufferView view;
-		view.buffer = 0;
-		view.byteOffset = data.size();
-		view.byteLength = bytes;
-		view.target = target;
-		data.resize(data.size() + bytes);
-		if (bytes > 0)
-			std::memcpy(&data[view.byteOffset], values, bytes);
-		m_model.bufferViews.push_back(view);
-		tinygltf::Accessor accessor;
-		accessor.bufferView = int(m_model.bufferViews.size()) - 1;
-		accessor.componentType = component;
-		accessor.type = type;
-		accessor.count = count;
-		m_model.accessors.push_back(accessor);
-		return m_model.accessors.back();
-	}
-
-	tinygltf::Model& m_model;
-};
 
 void append(std::vector<float>& numbers, const btVector3& v)
 {
@@ -120,7 +56,8 @@ int addMaterial(tinygltf::Model& model, const SceneDescription::Body& body)
 	return int(model.materials.size()) - 1;
 }
 
-int addMesh(tinygltf::Model& model, Writer& writer, const SceneDescription::Body& body, const Triangles& triangles)
+int addMesh(tinygltf::Model& model, BufferWriter& writer, const SceneDescription::Body& body,
+			const Triangles& triangles)
 {
 	std::vector<float> places, normals;
 	for (size_t i = 0; i < triangles.corners.size(); ++i)
@@ -468,7 +405,7 @@ private:
 	const std::vector<Bend> m_bends;
 	std::vector<int> m_bentNodes;  // meshes with a skin
 	tinygltf::Model m_model;
-	Writer m_writer;
+	BufferWriter m_writer;
 	tinygltf::Animation m_animation;
 	int m_times;  // accessor
 };

@@ -15,7 +15,7 @@ namespace ep
 {
 namespace
 {
-const double STEP = 1. / 240;
+const double SHORT_STEP = 1. / 240;
 
 /// A hinge that yields stops a body after some turns: kinetic energy = yield moment times plastic rotation and half of the
 /// elastic one.
@@ -36,7 +36,7 @@ Verdict turns(const TrialSetup& setup, int dof, double count)
 	spin[dof - 3] = btScalar(std::sqrt(2 * energy / (mass / 6)));
 	body->setAngularVelocity(spin);
 	TrialRun run(world, setup);
-	run.runFor(4, STEP);
+	run.runFor(4, SHORT_STEP);
 	// Where in a step it begins to yield and where it stops: a step's motion over the whole.
 	return run.verdict(double(joint->getPlasticPath(dof)), angle, 0.01 * angle);
 }
@@ -119,7 +119,7 @@ Verdict allYield(const TrialSetup& setup)
 	settings.gravity = 5000;
 	Cantilever cantilever(settings);
 	TrialRun run(cantilever.m_world, setup);
-	run.runFor(0.1, STEP);
+	run.runFor(0.1, SHORT_STEP);
 	return run.verdict();
 }
 
@@ -141,12 +141,12 @@ Verdict allBreak(const TrialSetup& setup)
 		falling.back()->setLinearVelocity(btVector3(0, -10, 0));
 	}
 	TrialRun run(world, setup);
-	run.runFor(0.5, STEP);
+	run.runFor(0.5, SHORT_STEP);
 	double slowest = 1e9;
 	for (btRigidBody* body : falling)
 		slowest = std::min(slowest, double(body->getLinearVelocity().length()));
 	// 10 N for a step on 100 kg take 0.4 mm/s.
-	return run.verdict(slowest + (world.action().getNumBroken() == 20 ? 0 : 100), 10, 10 / 100. * STEP * 2);
+	return run.verdict(slowest + (world.action().getNumBroken() == 20 ? 0 : 100), 10, 10 / 100. * SHORT_STEP * 2);
 }
 
 }  // namespace

@@ -11,13 +11,10 @@ const double PITCH = 4;        // from column to column and from floor to floor 
 const double THICKNESS = 0.4;  // of columns and beams [m]
 const double SLAB = 0.2;       // thickness of slabs [m]
 const double SLAB_EDGE = 0.3;  // width of a slab's corner where it is joined [m]
-const double GAP = 0.005;      // round each part [m]
 const double YIELD = 20e6;     // [Pa]
 const double STRAIN = 0.05;
 const int PARTS = 2;  // of a member between two nodes
 const double PART_LENGTH = (PITCH - THICKNESS) / PARTS;
-
-btVector3 vector(double x, double y, double z) { return btVector3(btScalar(x), btScalar(y), btScalar(z)); }
 
 /// Builds one building, part by part.
 class Builder
@@ -31,7 +28,8 @@ public:
 		  m_within(rectangularMember(m_material, THICKNESS, THICKNESS, PART_LENGTH, PART_LENGTH)),
 		  m_atSlab(rectangularMember(m_material, SLAB_EDGE, SLAB, 1, 1))
 	{
-		const double length = PART_LENGTH - 2 * GAP, width = THICKNESS - 2 * GAP, slab = PITCH - THICKNESS - 2 * GAP;
+		const double length = PART_LENGTH - 2 * Stage::GAP, width = THICKNESS - 2 * Stage::GAP,
+					 slab = PITCH - THICKNESS - 2 * Stage::GAP;
 		World& world = stage.world();
 		m_nodeShape = world.box(vector(THICKNESS, THICKNESS, THICKNESS));
 		m_slabShape = world.box(vector(slab, SLAB, slab));

@@ -10,9 +10,6 @@ namespace ep
 {
 namespace
 {
-const double GAP = 0.005;  // round each part, in the plane [m]
-
-btVector3 vector(double x, double y, double z) { return btVector3(btScalar(x), btScalar(y), btScalar(z)); }
 
 /// Square parts in a plane, each joined to its neighbours, the first with its middle above the origin.
 class Slab
@@ -24,7 +21,8 @@ public:
 		: m_length(length), m_part(part), m_height(height)
 	{
 		const btElasticPlasticCapacity capacity = rectangularMember(material, part, thickness, part, part);
-		btCollisionShape* const shape = stage.world().box(vector(part - 2 * GAP, thickness, part - 2 * GAP));
+		btCollisionShape* const shape =
+			stage.world().box(vector(part - 2 * Stage::GAP, thickness, part - 2 * Stage::GAP));
 		for (int z = 0; z < width; ++z)
 			for (int x = 0; x < length; ++x)
 				m_parts.push_back(
@@ -90,7 +88,7 @@ void Bridge::build(Stage& stage) const
 	// Piers in two parts under both edges, at each quarter of the length.
 	const double half = (height - thickness / 2) / 2;
 	const btElasticPlasticCapacity column = rectangularMember(material, pier, pier, half, half);
-	btCollisionShape* const pierShape = stage.world().box(vector(pier, half - 2 * GAP, pier));
+	btCollisionShape* const pierShape = stage.world().box(vector(pier, half - 2 * Stage::GAP, pier));
 	for (int quarter = 1; quarter < 4; ++quarter)
 		for (const int z : {0, width - 1})
 		{

@@ -7,8 +7,6 @@ namespace ep
 {
 namespace
 {
-btVector3 vector(double x, double y, double z) { return btVector3(btScalar(x), btScalar(y), btScalar(z)); }
-
 const double BASE_MASS = 60;  // [kg]
 const double BASE_TOP = 0.1;  // [m]
 const double POST = 1;        // height of a post [m]

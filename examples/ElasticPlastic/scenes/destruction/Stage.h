@@ -14,6 +14,8 @@
 
 namespace ep
 {
+inline btVector3 vector(double x, double y, double z) { return btVector3(btScalar(x), btScalar(y), btScalar(z)); }
+
 /// The ground on which a game's scenes of destruction stand, what they are built with, and the script of what happens to them.
 ///
 /// The same scene is built with our joints and the direct form, or as games do it with Bullet alone: fixed constraints with a breaking
@@ -21,6 +23,7 @@ namespace ep
 class Stage
 {
 public:
+	static constexpr double GAP = 0.005;      ///< round each part of what is built [m]
 	static constexpr double FRAME = 1. / 60;  ///< [s]
 	static constexpr double GRAVITY = 9.81;
 

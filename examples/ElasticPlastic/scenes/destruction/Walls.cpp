@@ -7,17 +7,14 @@ namespace ep
 {
 namespace
 {
-const double GAP = 0.005;        // round each block, between it and its neighbours [m]
 const double BRICK_YIELD = 2e6;  // [Pa]
 const double BRICK_STRAIN = 0.02;
 const int FIRST_BLOW = 60;  // frame: by then what was built has settled
 
-btVector3 vector(double x, double y, double z) { return btVector3(btScalar(x), btScalar(y), btScalar(z)); }
-
 /// Smaller than the place it takes.
 btCollisionShape* brick(Stage& stage, double x, double y, double z)
 {
-	return stage.world().box(vector(x - 2 * GAP, y - 2 * GAP, z - 2 * GAP));
+	return stage.world().box(vector(x - 2 * Stage::GAP, y - 2 * Stage::GAP, z - 2 * Stage::GAP));
 }
 }  // namespace
 
