@@ -245,9 +245,11 @@ bool System::newton(const SystemInput& input, bool mayCrawl, int maxSteps)
 bool System::findMinimum(SystemInput& input, Effort effort)
 {
 	const bool mayUseInterior = effort != PLAIN && m_settings.m_maxInteriorIterations > 0;
-	// What has been condensed once in this step stays so.
-	if (isLarge(input) && m_place && !m_place->m_condensation.isEmpty())
+	// What has been condensed once in this step stays so. Where it was searched for in the step before, a guess of the whole costs its
+	// factor and would not be right.
+	if (isLarge(input) && (m_expectsPlaces || (m_place && !m_place->m_condensation.isEmpty())))
 	{
+		m_expectsPlaces = false;
 		const Found found = searchInside(input, effort);
 		if (found != ELSEWHERE)
 			return found == SOLVED;
@@ -613,6 +615,7 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 {
 	++m_statistics.m_islands;
 	m_statistics.m_rows += input.getNumRows();
+	m_expectsPlaces = islandId != 0 && islandId == m_searchedInside;
 	m_matrix.begin(input, islandId, numSolutions);
 	islandId = m_linearSolver.getIslandId();
 	m_matrixIsCurrent = false;
@@ -624,6 +627,9 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 	m_workEnd = m_statistics.m_work + m_settings.m_maxWork;
 	m_velocity.assign(6 * size_t(input.getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());
-	return search(input, effort);
+	const bool isNumber = search(input, effort);
+	if (isLarge(input))
+		m_searchedInside = m_insideHasSolved && m_hasSearched ? islandId : 0;
+	return isNumber;
 }
 }  // namespace btElasticPlastic

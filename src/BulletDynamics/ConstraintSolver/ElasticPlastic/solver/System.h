@@ -162,8 +162,10 @@ private:
 	SystemResult m_before;                 // a large problem's rows' impulses and bounds before the search
 	std::vector<SystemInput::Bounded> m_rowsBefore;
 	bool m_insideHasSolved = false, m_isCut = false;
+	bool m_expectsPlaces = false;  // of the problem that is being solved
+	int m_searchedInside = 0;      // the island of the last problem, if it was searched in places
 	bool m_interiorHasSolved = false, m_isHard = false, m_hasSearched = false;
-	bool m_boundsChanged = false;    // by the last evaluate()
+	bool m_boundsChanged = false;  // by the last evaluate()
 	bool m_isAside = false, m_hasFactorAside = false;
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
 	std::vector<double> m_velocity;  // dv
