@@ -102,15 +102,15 @@ void System::forgetFactor()
 
 void System::beginAside()
 {
-	m_isAside = true;
-	m_hasFactorAside = m_matrixIsCurrent = false;
+	m_aside = WITHOUT_FACTOR;
+	m_matrixIsCurrent = false;
 }
 
 void System::endAside()
 {
-	m_isAside = false;
-	if (m_hasFactorAside)
+	if (m_aside == WITH_FACTOR)
 		forgetFactor();
+	m_aside = NOT_ASIDE;
 }
 
 bool System::isElsewhere(int row) const
@@ -121,9 +121,9 @@ bool System::isElsewhere(int row) const
 /// x = H^-1 x for the rows' present bounds.
 bool System::solveLinear(const SystemInput& input, std::vector<double>& x)
 {
-	if (m_isAside && !m_hasFactorAside)
+	if (m_aside == WITHOUT_FACTOR)
 	{
-		m_hasFactorAside = true;
+		m_aside = WITH_FACTOR;
 		forgetFactor();
 	}
 	if (!m_matrixIsCurrent)

@@ -166,7 +166,13 @@ private:
 	int m_searchedInside = 0;      // the island of the last problem, if it was searched in places
 	bool m_interiorHasSolved = false, m_isHard = false, m_hasSearched = false;
 	bool m_boundsChanged = false;  // by the last evaluate()
-	bool m_isAside = false, m_hasFactorAside = false;
+	/// Of a solution between beginAside() and endAside().
+	enum Aside
+	{
+		NOT_ASIDE,
+		WITHOUT_FACTOR,  ///< the factor of before is still there
+		WITH_FACTOR      ///< of its own
+	} m_aside = NOT_ASIDE;
 	bool m_matrixIsCurrent = false;  // H belongs to the rows' present bounds
 	std::vector<double> m_velocity;  // dv
 	std::vector<double> m_residual;  // -gradient of (2) at dv
