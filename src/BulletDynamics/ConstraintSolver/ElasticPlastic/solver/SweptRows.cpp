@@ -123,6 +123,18 @@ void SweptRows::takeBackWhatParts(const SolverPools& pools) const
 			   if (double(row.m_appliedImpulse) * (changeAlong(row, A, B) - asked) > 0)
 				   takeBackRow(row, A, B);
 		   });
+	// Friction that holds has no bound left where nothing presses.
+	const auto release = [&](btConstraintArray& pool, const btAlignedObjectArray<int>& rows)
+	{
+		for (int i = 0; i < rows.size(); ++i)
+		{
+			btSolverConstraint& row = pool[rows[i]];
+			if (btScalar(pools.m_contacts[row.m_frictionIndex].m_appliedImpulse) == 0)
+				takeBackRow(row, pools.m_bodies[row.m_solverBodyIdA], pools.m_bodies[row.m_solverBodyIdB]);
+		}
+	};
+	release(pools.m_friction, m_friction);
+	release(pools.m_rollingFriction, m_rollingFriction);
 }
 
 void SweptRows::takeBack(const SolverPools& pools) const { forAll(pools, takeBackRow); }

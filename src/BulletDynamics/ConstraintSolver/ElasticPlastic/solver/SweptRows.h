@@ -47,7 +47,7 @@ public:
 	/// Takes Bullet's warm start back, from rows and from bodies.
 	void takeBack(const SolverPools& pools) const;
 
-	/// Takes the impulses of rows back whose bodies do more than they are asked for along them.
+	/// Takes the impulses of rows back whose bodies do more than they are asked for along them, and friction where nothing presses any more.
 	void takeBackWhatParts(const SolverPools& pools) const;
 
 	/// One sweep over all rows: bodies' changes of velocity and rows' impulses.

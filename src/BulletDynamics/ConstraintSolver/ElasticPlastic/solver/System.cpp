@@ -247,12 +247,16 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 	const bool mayUseInterior = effort != PLAIN && m_settings.m_maxInteriorIterations > 0;
 	// What has been condensed once in this step stays so. Where it was searched for in the step before, a guess of the whole costs its
 	// factor and would not be right.
-	if (isLarge(input) && (m_expectsPlaces || (m_place && !m_place->m_condensation.isEmpty())))
+	const bool hasPlaces = m_place && !m_place->m_condensation.isEmpty();
+	bool isEverywhere = false;
+	if (isLarge(input) && (m_expectsPlaces || hasPlaces))
 	{
 		m_expectsPlaces = false;
 		const Found found = searchInside(input, effort);
 		if (found != ELSEWHERE)
 			return found == SOLVED;
+		// Places that are chosen again would be the same ones.
+		isEverywhere = !hasPlaces;
 	}
 	if (!mayUseInterior || !m_isHard)
 	{
@@ -263,7 +267,7 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 		bool mayCrawl = m_settings.m_maxInteriorIterations == 0;
 		if (isLarge(input))
 		{
-			const Found found = searchInside(input, effort);
+			const Found found = isEverywhere ? ELSEWHERE : searchInside(input, effort);
 			if (found != ELSEWHERE)
 				return found == SOLVED;
 			// It happens everywhere.
