@@ -122,14 +122,68 @@ Sequence::Joint* Sequence::anyJoint()
 	return joint.m_isOrphan ? nullptr : &joint;
 }
 
+namespace
+{
+/// Sections that take some time to make.
+const std::vector<btElasticPlasticSection>& drawnSections()
+{
+	typedef btElasticPlasticSection Section;
+	static const btElasticPlasticSectionPoint corners[] = {{0, 0}, {0, 1}, {btScalar(0.7), btScalar(0.4)}};
+	static const int count = 3;
+	static const std::vector<Section> all = {
+		Section::tSection(btScalar(0.2), btScalar(0.2), btScalar(0.02), btScalar(0.03)).withFibres(8),
+		Section::channel(btScalar(0.1), btScalar(0.2), btScalar(0.01), btScalar(0.02)).withFibres(12),
+		Section::angle(btScalar(0.1), btScalar(0.15), btScalar(0.01)).withFibres(8),
+		Section::polygon(corners, &count).withFibres(10)};
+	return all;
+}
+}  // namespace
+
+btElasticPlasticMaterial Sequence::materialOfFibres()
+{
+	btElasticPlasticMaterial material = btElasticPlasticMaterial::steel(m_chance.power(1e7, 1e9));
+	material.m_ultimatePlasticStrain = m_chance.power(1e-4, 1);
+	if (m_chance.oneIn(3))
+		material.m_tensileShare = m_chance.oneIn(3) ? btScalar(0) : m_chance.power(0.01, 1);
+	if (m_chance.oneIn(4) && material.m_tensileShare > 0)
+		material.m_fractureEnergy = m_chance.power(1, 1e6);
+	else if (m_chance.oneIn(3))
+	{
+		// It rises less and less, as a kinematic curve has to.
+		const btScalar strain = m_chance.power(1e-4, 0.1), rise = m_chance.between(0.05, 1) * material.m_yieldStress;
+		material.m_hardening.push_back({strain, material.m_yieldStress + rise});
+		material.m_hardening.push_back({3 * strain, material.m_yieldStress + rise * btScalar(1.5)});
+		material.m_kinematicShare = m_chance.oneIn(2) ? btScalar(m_chance.below(2)) : m_chance.between(0, 1);
+	}
+	if (m_chance.oneIn(4))
+		material.m_rate = btElasticPlasticRate::of(m_chance.power(1, 1e4), m_chance.between(1, 10));
+	if (m_chance.oneIn(4))
+		material.m_crushingStrain = m_chance.power(1e-4, 1);
+	return material;
+}
+
+btElasticPlasticCapacity Sequence::capacityWithFibres()
+{
+	btElasticPlasticSection section =
+		m_chance.oneIn(3)
+			? drawnSections()[size_t(m_chance.below(int(drawnSections().size())))]
+			: btElasticPlasticSection::rectangle(m_chance.power(0.01, 0.5), m_chance.power(0.01, 0.5)).withFibres(12);
+	if (m_chance.oneIn(4))
+		section.addBar(m_chance.between(-0.1, 0.1), m_chance.between(-0.1, 0.1), m_chance.power(1e-5, 1e-3),
+					   materialOfFibres());
+	if (m_chance.oneIn(8))
+		section.addPart(btElasticPlasticSection::circle(m_chance.power(0.01, 0.1)).withFibres(14),
+						m_chance.between(-0.2, 0.2), 0, materialOfFibres());
+	const btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
+		materialOfFibres(), section, m_chance.power(0.1, 3), m_chance.power(0.1, 3),
+		m_chance.oneIn(2) ? btScalar(0) : m_chance.power(0.01, 1));
+	return m_chance.oneIn(6) ? capacity.heated(btElasticPlasticHeat::steel(m_chance.between(0, 1300))) : capacity;
+}
+
 btElasticPlasticCapacity Sequence::capacity()
 {
 	if (m_chance.oneIn(5))
-		// With fibres.
-		return btElasticPlasticCapacity::fromMember(
-			btElasticPlasticMaterial::steel(m_chance.power(1e7, 1e9)),
-			btElasticPlasticSection::rectangle(m_chance.power(0.01, 0.5), m_chance.power(0.01, 0.5)).withFibres(12),
-			m_chance.power(0.1, 3), m_chance.power(0.1, 3), m_chance.oneIn(2) ? btScalar(0) : m_chance.power(0.01, 1));
+		return capacityWithFibres();
 	btElasticPlasticCapacity capacity;
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 	{
@@ -507,10 +561,16 @@ void Sequence::badCapacity()
 	if (bad.hasFibres() && m_chance.oneIn(2))
 	{
 		btElasticPlasticFibre& fibre = bad.m_fibres[m_chance.below(bad.m_fibres.size())];
-		btScalar* const numbers[] = {&fibre.m_y,         &fibre.m_z,           &fibre.m_stiffness,
-									 &fibre.m_tension,   &fibre.m_compression, &fibre.m_stretchLimit,
-									 &fibre.m_crushLimit};
-		*numbers[m_chance.below(7)] = m_chance.bad();
+		btScalar* const numbers[] = {&fibre.m_y,           &fibre.m_z,
+									 &fibre.m_stiffness,   &fibre.m_tension,
+									 &fibre.m_compression, &fibre.m_stretchLimit,
+									 &fibre.m_crushLimit,  &fibre.m_rateReference,
+									 &fibre.m_rateExponent};
+		*numbers[m_chance.below(9)] = m_chance.bad();
+		if (m_chance.oneIn(4))
+			(m_chance.oneIn(2) ? fibre.m_firstPoint : fibre.m_numPoints) = m_chance.badDof();
+		if (bad.m_curvePoints.size() > 0 && m_chance.oneIn(2))
+			bad.m_curvePoints[m_chance.below(bad.m_curvePoints.size())] = {m_chance.bad(), m_chance.bad()};
 	}
 	switch (m_chance.below(5))
 	{
@@ -543,8 +603,9 @@ void Sequence::badState()
 	if (state.m_fibres.size() > 0 && m_chance.oneIn(2))
 	{
 		btElasticPlasticFibreState& fibre = state.m_fibres[m_chance.below(state.m_fibres.size())];
-		btScalar* const ofFibre[] = {&fibre.m_force, &fibre.m_forceRate, &fibre.m_offset, &fibre.m_damage};
-		*ofFibre[m_chance.below(4)] = m_chance.bad();
+		btScalar* const ofFibre[] = {&fibre.m_force, &fibre.m_forceRate, &fibre.m_offset,   &fibre.m_damage,
+									 &fibre.m_path,  &fibre.m_rate,      &fibre.m_rateShare};
+		*ofFibre[m_chance.below(7)] = m_chance.bad();
 	}
 	switch (m_chance.below(4))
 	{
@@ -786,7 +847,8 @@ void Sequence::checkAll()
 		for (int i = 0; i < state.m_fibres.size(); ++i)
 		{
 			const btElasticPlasticFibreState& fibre = state.m_fibres[i];
-			for (const btScalar number : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage})
+			for (const btScalar number : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage,
+										  fibre.m_path, fibre.m_rate, fibre.m_rateShare})
 				mustBeFinite("fibre", double(number));
 		}
 		for (const btScalar number : {state.m_initial[0], state.m_initial[1], state.m_initial[2],

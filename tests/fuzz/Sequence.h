@@ -107,6 +107,8 @@ private:
 	void join(btRigidBody& a, btRigidBody& b, const btTransform& frameInA, const btTransform& frameInB,
 			  const btElasticPlasticCapacity& capacity);
 	btElasticPlasticCapacity capacity();
+	btElasticPlasticCapacity capacityWithFibres();
+	btElasticPlasticMaterial materialOfFibres();
 	void stepWorlds(btScalar dt, int most, btScalar fixed);
 	void erase(size_t joint);
 	void eraseBody(size_t body);
