@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +18,8 @@
 #include "problems/Catalogue.h"
 #include "collect/Case.h"
 #include "collect/Records.h"
+#include "judge/Judgement.h"
+#include "page/ProblemView.h"
 #include "page/Tables.h"
 #include "text/OutputFiles.h"
 
@@ -81,6 +84,15 @@ std::string today()
 	return text;
 }
 
+/// On a quiet machine run times of one case are within some per cent.
+std::string warningOf(double spread)
+{
+	const double most = 0.1;
+	return spread > most ? "The machine was loaded: run times of one and the same case are " + ep::percent(spread) +
+							   " apart. Errors are right, times are not to be trusted."
+						 : "";
+}
+
 /// Cases of few and of all settings have the same names: a folder is for one or the other.
 void checkSettings(const fs::path& out, bool few)
 {
@@ -119,6 +131,7 @@ void run(const Options& o, const char* self)
 	ep::writeText((out / "stability.json").string(),
 				  toJson(ep::TrialRecord::columns(), records.ofTrials).dump(1) + "\n");
 	ep::writeText((out / "report.csv").string(), toCsv(ep::Record::columns(), records.ofProblems));
+	const double spread = ep::spreadOfTimes(records.ofProblems);
 	const std::vector<std::pair<std::string, std::string>> stamp = {
 		{"Processor", processor() + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads"},
 		{"Compiler", __VERSION__},
@@ -128,10 +141,18 @@ void run(const Options& o, const char* self)
 #endif
 		{"Date", today()},
 		{"Records", std::to_string(records.ofProblems.size())},
+		{"Run times", std::isfinite(spread) ? "medians; those of one case are " + ep::percent(spread) +
+												  " apart (longest less shortest, median of all cases)"
+											: "each case timed once"},
 	};
 	const ep::ByProblem problems(records.ofProblems);
-	ep::writeText((out / "report.html").string(), ep::htmlOf(problems, records.ofTrials, stamp));
 	fs::create_directories(out / "pictures");
+	ep::Page page = {stamp, warningOf(spread), {}};
+	for (const std::string& name : problems.names)
+		page.views[name] = ep::viewOfProblem(name, (out / "pictures" / (name + ".png")).string());
+	ep::writeText((out / "report.html").string(), ep::htmlOf(problems, records.ofTrials, page));
+	if (!page.warning.empty())
+		std::cout << page.warning << "\n";
 	const std::pair<const char*, ep::Grid> tables[] = {
 		{"overview", ep::overviewOf(problems)}, {"profile", ep::profileOf(problems)}, {"parts", ep::partsOf(problems)}};
 	for (const auto& [name, grid] : tables)

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "ReplayScene.h"
 #include "problems/Catalogue.h"
+#include "replay/ReplayScene.h"
 #include "scenes/destruction/Catalogue.h"
 #include "text/Format.h"
 #include "trials/Catalogue.h"

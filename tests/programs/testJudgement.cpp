@@ -50,6 +50,17 @@ TEST(Judgement, LuckIsNoRecommendation)
 	EXPECT_EQ(nullptr, quickestReliable(all, 0.01));
 }
 
+TEST(Judgement, SpreadOfTimesIsThatOfTheMedianCase)
+{
+	std::vector<Record> records(4, recordOf(1, 1, 0.1));
+	records[0].spread = 0.3;
+	records[1].spread = NAN;  // timed once
+	records[2].spread = 0.02;
+	records[3].spread = 0.05;
+	EXPECT_EQ(0.05, spreadOfTimes(records));
+	EXPECT_TRUE(std::isnan(spreadOfTimes({records[1]})));
+}
+
 TEST(Judgement, OneMethodsFailureIsNotAnothers)
 {
 	const std::vector<Record> records = {recordOf(1, 3, 0.05), recordOf(2, 6, 0.01),

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -96,10 +97,107 @@ TEST_F(Report, PageNeedsNothingElse)
 	const std::string page = read(m_folder / "out" / "report.html");
 	EXPECT_NE(std::string::npos, page.find("<svg"));
 	EXPECT_NE(std::string::npos, page.find("nothing better and quicker"));
-	EXPECT_EQ(std::string::npos, page.find("src="));
+	// Pictures are in it.
+	const std::string source = "src=\"";
+	for (size_t i = page.find(source); i != std::string::npos; i = page.find(source, i + 1))
+		EXPECT_EQ("data:image/png;base64,iVBORw0KGgo", page.substr(i + source.size(), 33));
+#ifdef EP_WITH_PICTURES
+	EXPECT_NE(std::string::npos, page.find("<img alt=\"block-released\" src="));
+#endif
 	EXPECT_EQ(std::string::npos, page.find("<link"));
 	EXPECT_EQ(std::string::npos, page.find("<script"));
 	EXPECT_TRUE(fs::exists(m_folder / "out" / "pictures" / "overview.svg"));
+}
+
+TEST_F(Report, PointsOfAMethodAreJoined)
+{
+	ASSERT_EQ(0, report("").status);
+	const std::string plot = read(m_folder / "out" / "pictures" / "block-released.svg");
+	// Three steps of the direct solver in each precision: a finer step and substeps each lead on from the frame.
+	const std::string tip = "our joints, direct, ";
+	for (const char* precision : {"float", "double"})
+		for (const char* step : {"1/60 s, ", "1/240 s, ", "1/60 s in 8 substeps, "})
+			EXPECT_NE(std::string::npos, plot.find(step + tip + precision)) << step << tip << precision;
+	const std::regex two("<polyline [^>]*points=\"[0-9.,]+ [0-9.,]+ \"/>");
+	EXPECT_LE(4, std::distance(std::sregex_iterator(plot.begin(), plot.end(), two), std::sregex_iterator()));
+	// The legend names a family once.
+	const std::string name = ">our joints, our solver, direct<";
+	const size_t first = plot.find(name);
+	ASSERT_NE(std::string::npos, first);
+	EXPECT_EQ(std::string::npos, plot.find(name, first + 1));
+}
+
+TEST_F(Report, CellsHoldOneNumberAndTellMoreUnderTheMouse)
+{
+	ASSERT_EQ(0, report("").status);
+	const std::string page = read(m_folder / "out" / "report.html");
+	const std::string tables = page.substr(0, page.find("<h2 id="));
+	const std::regex cell("<td style=\"background:#[0-9a-f]+\"( title=\"([^\"]+)\")?>([^<]*)</td>"),
+		one("|–|none other|(x )?[0-9.e+-]+( %)?");
+	int cells = 0, tips = 0;
+	for (std::sregex_iterator i(tables.begin(), tables.end(), cell); i != std::sregex_iterator(); ++i)
+	{
+		++cells;
+		tips += (*i)[2].length() > 0;
+		EXPECT_TRUE(std::regex_match(i->str(3), one)) << i->str(3);
+	}
+	// The profile's six, and the parts' eight.
+	EXPECT_LT(14, cells);
+	EXPECT_LE(14, tips);
+	EXPECT_NE(std::string::npos, tables.find("substeps on average"));
+}
+
+TEST_F(Report, WarnsOfAMachineThatWasLoaded)
+{
+	ASSERT_EQ(0, report("").status);
+	const auto withSpread = [this](const json& spread)
+	{
+		for (const auto& file : fs::directory_iterator(m_folder / "out" / "cases"))
+		{
+			json list = json::parse(read(file.path()));
+			for (json& record : list)
+				record["run_time_spread"] = spread;
+			std::ofstream(file.path()) << list;
+		}
+		const Ended ended = report("");
+		EXPECT_EQ(0, ended.status);
+		const std::string page = read(m_folder / "out" / "report.html");
+		const char* const warning = "The machine was loaded";
+		EXPECT_EQ(ended.output.find(warning) == std::string::npos, page.find(warning) == std::string::npos);
+		return page;
+	};
+	const std::string loaded = withSpread(0.4);
+	EXPECT_NE(std::string::npos, loaded.find("The machine was loaded"));
+	EXPECT_NE(std::string::npos, loaded.find("40 % apart"));
+	const std::string quiet = withSpread(0.03);
+	EXPECT_EQ(std::string::npos, quiet.find("The machine was loaded"));
+	EXPECT_NE(std::string::npos, quiet.find("3 % apart"));
+	EXPECT_NE(std::string::npos, withSpread(json()).find("each case timed once"));
+}
+
+TEST_F(Report, WhatCasesSayStaysOutOfTheTerminal)
+{
+	fs::create_directories(m_folder);
+	const fs::path program = m_folder / "ep-report", stub = m_folder / "ep-report-case",
+				   cases = m_folder / "out" / "cases";
+	fs::copy_file(EP_REPORT, program);
+	const std::string command =
+		program.string() + " --quick --problem block-released --out " + (m_folder / "out").string();
+	const auto runWith = [&](const std::string& body)
+	{
+		std::ofstream(stub) << "#!/bin/sh\necho a joint sags\necho and tells >&2\n" << body;
+		fs::permissions(stub, fs::perms::owner_all);
+		return run("", command);
+	};
+	const Ended failing = runWith("exit 1\n");
+	EXPECT_EQ(1, failing.status);
+	EXPECT_EQ(std::string::npos, failing.output.find("sags")) << failing.output;
+	EXPECT_NE(std::string::npos, read(cases / "block-released.60x1.float.failed").find("a joint sags\nand tells\n"));
+	const Ended ended = runWith("for last; do :; done\necho '[]' > \"$last\"\n");
+	EXPECT_EQ(0, ended.status) << ended.output;
+	EXPECT_EQ(std::string::npos, ended.output.find("sags")) << ended.output;
+	EXPECT_NE(std::string::npos, ended.output.find("3 cases had something to say")) << ended.output;
+	EXPECT_EQ("a joint sags\nand tells\n", read(cases / "block-released.60x1.float.log"));
 }
 
 TEST_F(Report, GoesOnWhereItWasInterrupted)
@@ -179,7 +277,7 @@ TEST_F(Report, ForeignRecordsAreRefused)
 				 {"[7]", "record 1 is 7; it must be an object"},
 				 {"{\"a\": [1, 2]}", "it is an object with 1 keys"},
 				 {json::array({without}).dump(), "record 1: steps is missing"},
-				 {with("problem", "../../evil"), "problem is \"../../evil\"; it must be 1 to 64 lower-case letters"},
+				 {with("problem", "../../evil"), "problem is \"../../evil\"; it must be 1 to 64 letters"},
 				 {with("problem", ""), "problem is \"\"; it must be"},
 				 {with("problem", json::array({1, 2, 3})), "problem is a list of 3; it must be a text"},
 				 {with("steps", 0), "steps is 0; it must be a whole number from 1 to 1000000000"},
@@ -208,6 +306,36 @@ TEST_F(Report, ForeignRecordsAreRefused)
 	EXPECT_EQ(2, std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
 	std::ofstream(file) << whole;
 	EXPECT_EQ(0, report("").status);
+}
+
+/// Each problem's name is one that its own records may have.
+TEST_F(Report, ReadsWhatItHasWrittenOfEachProblem)
+{
+	ASSERT_EQ(0, report("").status);
+	const json list = json::parse(read(m_folder / "out" / "cases" / "block-released.60x1.float.json"));
+	const std::string names = run("--list").output;
+	std::istringstream lines(names);
+	size_t count = 0;
+	for (std::string line; std::getline(lines, line);)
+	{
+		json changed = list;
+		const std::string name = line.substr(0, line.find(':'));
+		if (name == "stability")
+			continue;
+		for (json& record : changed)
+			record["problem"] = name;
+		std::ofstream(m_folder / "out" / "cases" / (name + ".60x1.float.json")) << changed;
+		// A picture that is there is not drawn again, which would take seconds each.
+		std::ofstream(m_folder / "out" / "pictures" / (name + ".png")) << "";
+		++count;
+	}
+	const Ended ended = report("");
+	EXPECT_EQ(0, ended.status) << ended.output;
+	EXPECT_EQ(count,
+			  size_t(std::count_if(fs::directory_iterator(m_folder / "out" / "pictures"), fs::directory_iterator(),
+								   [](const auto& file) { return file.path().extension() == ".svg"; })) -
+				  3);
+	EXPECT_LT(20u, count);
 }
 
 TEST_F(Report, TextIsEscaped)

@@ -5,6 +5,7 @@
 
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -28,6 +29,9 @@ bool isInterrupt(int status)
 	return WIFSIGNALED(status) ? WTERMSIG(status) == SIGINT : WEXITSTATUS(status) == 128 + SIGINT;
 }
 
+/// What a case says.
+fs::path logOf(const CaseJob& job, const fs::path& folder) { return folder / (job.name + ".log"); }
+
 enum class End
 {
 	WELL,
@@ -38,17 +42,20 @@ enum class End
 End compute(const CaseJob& job, const fs::path& folder)
 {
 	const fs::path product = folder / job.product, part = product.string() + ".part",
-				   failed = folder / (job.name + ".failed");
+				   failed = folder / (job.name + ".failed"), log = logOf(job, folder);
 	const std::string command = job.command(part.string());
 	std::error_code ignored;
 	fs::remove_all(part, ignored);
-	const int status = std::system(command.c_str());
+	// What a case says is about that case: among the lines that tell how far all are it would say nothing.
+	const int status = std::system(("{ " + command + "\n} > " + shellWord(log.string()) + " 2>&1").c_str());
+	if (isInterrupt(status) || fs::is_empty(log, ignored))
+		fs::remove(log, ignored);
 	if (status != 0)
 	{
-		fs::remove_all(part, ignored);
 		if (isInterrupt(status))
 			return End::INTERRUPTED;
-		std::ofstream(failed) << command << "\nended with status " << status << "\n";
+		std::ofstream(failed) << command << "\nended with status " << status << "\n" << std::ifstream(log).rdbuf();
+		fs::remove(log, ignored);
 		return End::FAILED;
 	}
 	fs::rename(part, product);
@@ -130,6 +137,10 @@ int runCases(const std::vector<CaseJob>& jobs, const std::string& folder, int pa
 		thread.join();
 	if (interrupted)
 		throw std::runtime_error("interrupted; called again with the same --out it goes on");
+	const size_t talkers = size_t(std::count_if(
+		open.begin(), open.end(), [&folder](const CaseJob* job) { return fs::exists(logOf(*job, folder)); }));
+	if (talkers > 0)
+		printf("%zu cases had something to say: see the .log files in %s\n", talkers, folder.c_str());
 	return failed;
 }
 }  // namespace ep

@@ -20,8 +20,8 @@ struct CaseJob
 	std::function<std::string(const std::string& part)> command;
 };
 
-/// Computes those jobs whose product is not in the folder, each in a process of its own; tells how far it is on standard output. A
-/// job that fails leaves a file "<name>.failed" and is tried again the next time.
+/// Computes those jobs whose product is not in the folder, each in a process of its own; tells how far it is on standard output. What
+/// a job says is kept in a file "<name>.log"; one that fails leaves that in a file "<name>.failed", and is tried again the next time.
 /// \param parallel  how many at the same time
 /// \return how many have failed; an interrupt (Ctrl-C) is thrown as a std::runtime_error
 int runCases(const std::vector<CaseJob>& jobs, const std::string& folder, int parallel);

@@ -167,16 +167,18 @@ std::string Plot::svg() const
 		const char* const dash = curve.m_style == DASHED   ? " stroke-dasharray=\"7 4\""
 								 : curve.m_style == DOTTED ? " stroke-dasharray=\"2 3\""
 														   : "";
+		const bool isJoined = curve.m_style == JOINED;
 		const bool hasLine = curve.m_style != MARKS && curve.m_style != RINGS;
 		if (hasLine)
 		{
-			out << "<polyline fill=\"none\" stroke=\"" << color << "\" stroke-width=\"2\"" << dash << " points=\"";
+			out << "<polyline fill=\"none\" stroke=\"" << color << "\" stroke-width=\"" << (isJoined ? 1 : 2) << "\""
+				<< (isJoined ? " stroke-opacity=\".5\"" : dash) << " points=\"";
 			for (const auto& point : curve.m_points)
 				if (x.accepts(point.first) && y.accepts(point.second))
 					out << number(x.at(point.first)) << "," << number(y.at(point.second)) << " ";
 			out << "\"/>\n";
 		}
-		const bool hasMarks = !hasLine || (curve.m_style == SOLID && curve.m_points.size() < 40);
+		const bool hasMarks = !hasLine || isJoined || (curve.m_style == SOLID && curve.m_points.size() < 40);
 		for (size_t i = 0; hasMarks && i < curve.m_points.size(); ++i)
 		{
 			const auto& point = curve.m_points[i];
@@ -192,7 +194,9 @@ std::string Plot::svg() const
 			else
 				out << "/>\n";
 		}
-		if (!hasLine)
+		if (curve.m_name.empty())
+			continue;
+		if (!hasLine || isJoined)
 			out << "<circle cx=\"" << WIDTH - RIGHT + 28 << "\" cy=\"" << legend - 4
 				<< (curve.m_style == RINGS ? "\" r=\"6\" fill=\"none\" stroke=\"" : "\" r=\"4\" fill=\"") << color
 				<< "\"/>\n";

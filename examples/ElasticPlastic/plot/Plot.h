@@ -18,12 +18,13 @@ struct Plot
 		SOLID,  ///< with a mark at each point if they are few
 		DASHED,
 		DOTTED,
-		MARKS,  ///< no line
-		RINGS   ///< the same, larger and open
+		JOINED,  ///< marks, and a thin line from each to the next
+		MARKS,   ///< no line
+		RINGS    ///< the same, larger and open
 	};
 	struct Curve
 	{
-		std::string m_name;
+		std::string m_name;  ///< without one the legend leaves it out
 		std::vector<std::pair<double, double>> m_points;
 		Style m_style = SOLID;
 		int m_color = -1;                      ///< of the palette, -1: the next one

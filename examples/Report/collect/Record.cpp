@@ -35,6 +35,7 @@ const std::vector<Column<Record>>& Record::columns()
 													column("exact", &Record::exact, HUGE_VAL),
 													column("error", &Record::error, HUGE_VAL),
 													column("run_time_s", &Record::runTime, SHORTEST, LONGEST),
+													column("run_time_spread", &Record::spread, HUGE_VAL),
 													column("energy_audit", &Record::energyAudit, HUGE_VAL),
 													column("simulated_s", &Record::simulated, SHORTEST, LONGEST),
 													column("steps", &Record::steps, 1, MOST),

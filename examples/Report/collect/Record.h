@@ -5,6 +5,7 @@
 #define EP_REPORT_RECORD_H
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "collect/Choices.h"
@@ -33,6 +34,7 @@ struct Record
 	Precision precision;
 	double dt, value, exact, error, runTime, simulated, energyAudit;  ///< infinite or not a number where there is none
 	double budget;                                                    ///< of the profile, else 0
+	double spread;  ///< of run times: longest less shortest over the median; not a number of one
 	int substeps, iterations, steps;
 
 	static const std::vector<Column<Record>>& columns();
@@ -42,6 +44,9 @@ struct Record
 	/// By another engine than Bullet? Such have no joint class.
 	bool isOutside() const { return !jointClass; }
 	Family family() const;
+	/// All that makes a method but its step, to compare.
+	auto method() const { return std::make_tuple(scheme, solver, jointClass, precision, iterations, budget); }
+	double substep() const { return dt / substeps; }
 	/// In words that a user can follow.
 	std::string setting() const;
 };

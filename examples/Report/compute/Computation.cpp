@@ -4,6 +4,7 @@
 #include "compute/Computation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "compute/Methods.h"
 #ifdef EP_WITH_ODE
@@ -61,6 +62,7 @@ std::vector<Record> compute(const Problem& problem, const ComputationSettings& s
 			r.exact = quantity.exact;
 			r.error = quantity.error();
 			r.runTime = times[i][times[i].size() / 2];
+			r.spread = times[i].size() > 1 ? (times[i].back() - times[i].front()) / r.runTime : NAN;
 			r.simulated = outcomes[i].simulated;
 			r.steps = outcomes[i].substeps;
 			r.energyAudit = outcomes[i].energyCreated;

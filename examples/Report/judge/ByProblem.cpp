@@ -10,11 +10,7 @@ namespace ep
 ByProblem::ByProblem(const std::vector<Record>& all)
 {
 	const auto isOfOneCase = [](const Record& a, const Record& b)
-	{
-		return a.solver == b.solver && a.scheme == b.scheme && a.jointClass == b.jointClass &&
-			   a.precision == b.precision && a.dt == b.dt && a.substeps == b.substeps && a.iterations == b.iterations &&
-			   a.budget == b.budget;
-	};
+	{ return a.method() == b.method() && a.dt == b.dt && a.substeps == b.substeps; };
 	for (const Record& r : all)
 	{
 		if (!records.count(r.problem))

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
+#include <utility>
 
 namespace ep
 {
@@ -36,22 +36,19 @@ const Record* quickestWithin(const std::vector<const Record*>& records, double e
 const Record* quickestReliable(const std::vector<const Record*>& records, double error)
 {
 	// All but the step makes a method; its finest step that fails spoils those as coarse and coarser.
-	const auto methodOf = [](const Record* r)
-	{ return std::make_tuple(r->scheme, r->solver, r->jointClass, r->precision, r->iterations, r->budget); };
-	std::map<decltype(methodOf(nullptr)), double> failing;
-	const auto substepOf = [](const Record* r) { return r->dt / r->substeps; };
+	std::map<decltype(std::declval<Record>().method()), double> failing;
 	for (const Record* r : records)
 		if (!(r->error <= error))
 		{
-			const auto known = failing.emplace(methodOf(r), substepOf(r)).first;
-			known->second = std::min(known->second, substepOf(r));
+			const auto known = failing.emplace(r->method(), r->substep()).first;
+			known->second = std::min(known->second, r->substep());
 		}
 	std::vector<const Record*> reliable;
 	for (const Record* r : records)
 	{
-		const auto known = failing.find(methodOf(r));
+		const auto known = failing.find(r->method());
 		// The same substep may come as a step of its own.
-		if (known == failing.end() || substepOf(r) < known->second * (1 - 1e-6))
+		if (known == failing.end() || r->substep() < known->second * (1 - 1e-6))
 			reliable.push_back(r);
 	}
 	return quickestWithin(reliable, error);
@@ -74,5 +71,23 @@ double orderOf(const std::vector<const Record*>& records, const Family& family)
 		xy += u * v;
 	}
 	return n < 3 ? NAN : (n * xy - x * y) / (n * xx - x * x);
+}
+
+double median(std::vector<double> values)
+{
+	if (values.empty())
+		return NAN;
+	const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+	std::nth_element(values.begin(), middle, values.end());
+	return *middle;
+}
+
+double spreadOfTimes(const std::vector<Record>& records)
+{
+	std::vector<double> spreads;
+	for (const Record& r : records)
+		if (std::isfinite(r.spread))
+			spreads.push_back(r.spread);
+	return median(std::move(spreads));
 }
 }  // namespace ep

@@ -23,6 +23,13 @@ const Record* quickestReliable(const std::vector<const Record*>& records, double
 /// Order of convergence of one family with all else as in Bullet's defaults: the slope of log error over log step, by least
 /// squares over the steps at which the error is neither 0 nor above 1/2. Not a number if there are less than three.
 double orderOf(const std::vector<const Record*>& records, const Family& family);
+
+/// The middle one; not a number of none.
+double median(std::vector<double> values);
+
+/// How far run times of one and the same case are apart, over all cases the median: small on a machine that does nothing else.
+/// Not a number if none was timed twice.
+double spreadOfTimes(const std::vector<Record>& records);
 }  // namespace ep
 
 #endif  // EP_REPORT_JUDGEMENT_H

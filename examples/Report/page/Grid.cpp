@@ -57,9 +57,14 @@ std::string Grid::html() const
 	out << "</tr>\n";
 	for (const Row& row : rows)
 	{
-		out << "<tr><td><a href=\"#" << escaped(row.name) << "\">" << escaped(row.name) << "</a></td>";
+		out << "<tr><td>";
+		if (!row.name.empty())
+			out << "<a href=\"#" << escaped(row.name) << "\">" << escaped(row.name) << "</a>";
+		out << "</td>";
 		for (const Cell& cell : row.cells)
-			out << "<td style=\"background:" << shadeOf(cell.error) << "\">" << escaped(cell.text) << "</td>";
+			out << "<td style=\"background:" << shadeOf(cell.error) << "\""
+				<< (cell.tip.empty() ? "" : " title=\"" + escaped(cell.tip) + "\"") << ">" << escaped(cell.text)
+				<< "</td>";
 		out << "</tr>\n";
 	}
 	out << "</table>\n";
@@ -111,7 +116,8 @@ std::string Grid::svg() const
 		for (size_t c = 0; c < columns.size(); ++c)
 		{
 			out << "<rect x=\"" << x + 1 << "\" y=\"" << y + 1 << "\" width=\"" << widths[c] - 2 << "\" height=\""
-				<< ROW - 2 << "\" fill=\"" << shadeOf(row.cells[c].error) << "\"/>\n";
+				<< ROW - 2 << "\" fill=\"" << shadeOf(row.cells[c].error) << "\">"
+				<< (row.cells[c].tip.empty() ? "" : "<title>" + escaped(row.cells[c].tip) + "</title>") << "</rect>\n";
 			text(x + widths[c] / 2, y + 16, row.cells[c].text, "middle");
 			x += widths[c];
 		}

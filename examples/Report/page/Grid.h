@@ -16,11 +16,12 @@ struct Grid
 	struct Cell
 	{
 		std::string text;
-		double error = NAN;  ///< green to red by its order of magnitude, not a number: no colour
+		double error = NAN;    ///< green to red by its order of magnitude, not a number: no colour
+		std::string tip = {};  ///< what else there is to know, under the mouse
 	};
 	struct Row
 	{
-		std::string name;
+		std::string name;  ///< of a problem; empty: a line about all of them
 		std::vector<Cell> cells;
 	};
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "judge/Families.h"
 #include "page/Grid.h"
@@ -23,6 +25,42 @@ Selection comparedOf(const Selection& records)
 	return compared;
 }
 
+namespace
+{
+/// Below what a picture can tell, and above what is of any use, all are the same.
+double shownError(const Record& r) { return std::min(std::max(r.error, 1e-6), 1e2); }
+
+/// What a family has of numbers, each method by itself from its coarsest step to its finest: steps of their own, and substeps of a
+/// frame, which begin with the frame as one step.
+std::vector<Selection> methodsOf(const Family& family, const Selection& records)
+{
+	enum Way
+	{
+		STEPS,
+		SUBSTEPS
+	};
+	std::map<std::pair<decltype(std::declval<Record>().method()), Way>, Selection> methods;
+	const auto isFrame = [&records](const Record* r)
+	{
+		return std::any_of(records.begin(), records.end(),
+						   [r](const Record* other) { return other->substeps > 1 && other->dt == r->dt; });
+	};
+	for (const Record* r : records)
+		if (r->family() == family && std::isfinite(r->error))
+			for (const Way way : {STEPS, SUBSTEPS})
+				if (way == STEPS ? r->substeps == 1 : r->substeps > 1 || isFrame(r))
+					methods[{r->method(), way}].push_back(r);
+	std::vector<Selection> list;
+	for (auto& method : methods)
+	{
+		std::sort(method.second.begin(), method.second.end(),
+				  [](const Record* a, const Record* b) { return a->substep() > b->substep(); });
+		list.push_back(method.second);
+	}
+	return list;
+}
+}  // namespace
+
 std::string problemPicture(const std::string& name, const Selection& records)
 {
 	Plot plot;
@@ -33,20 +71,23 @@ std::string problemPicture(const std::string& name, const Selection& records)
 	int color = 0;
 	for (const Named<Family>& family : families())
 	{
-		Plot::Curve curve{family.name, {}, Plot::MARKS, color++, {}};
-		for (const Record* r : records)
-			if (r->family() == family.value && std::isfinite(r->error))
+		std::string label = family.name;
+		for (const Selection& method : methodsOf(family.value, records))
+		{
+			Plot::Curve curve{label, {}, Plot::JOINED, color, {}};
+			for (const Record* r : method)
 			{
-				// Below what a picture can tell, and above what is of any use, all are the same.
-				curve.m_points.emplace_back(r->cost(), std::min(std::max(r->error, 1e-6), 1e2));
+				curve.m_points.emplace_back(r->cost(), shownError(*r));
 				curve.m_tips.push_back(r->setting() + ": " + percent(r->error) + " of " + r->quantity);
 			}
-		if (!curve.m_points.empty())
 			plot.m_curves.push_back(curve);
+			label.clear();
+		}
+		++color;
 	}
 	Plot::Curve front{"nothing better and quicker", {}, Plot::RINGS, 7, {}};
 	for (const Record* r : nonDominated(records))
-		front.m_points.emplace_back(r->cost(), std::min(std::max(r->error, 1e-6), 1e2));
+		front.m_points.emplace_back(r->cost(), shownError(*r));
 	plot.m_curves.push_back(front);
 	return plot.svg();
 }

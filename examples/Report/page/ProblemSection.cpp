@@ -11,6 +11,7 @@
 #include "page/Sections.h"
 #include "judge/Judgement.h"
 #include "page/Pictures.h"
+#include "text/Markup.h"
 
 namespace ep
 {
@@ -93,10 +94,13 @@ void writeFamilies(std::ostream& out, const Selection& records)
 
 }  // namespace
 
-void writeProblem(std::ostream& out, const std::string& name, const Selection& records)
+void writeProblem(std::ostream& out, const std::string& name, const Selection& records, const std::string& view)
 {
 	const Selection compared = comparedOf(records);
-	out << problemPicture(name, compared);
+	out << "<div class=\"beside\">" << problemPicture(name, compared);
+	if (!view.empty())
+		out << "<img alt=\"" << escaped(name) << "\" src=\"data:image/png;base64," << view << "\">";
+	out << "</div>\n";
 	budgets(out, compared);
 	writeFamilies(out, compared);
 }

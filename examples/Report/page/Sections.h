@@ -14,7 +14,8 @@ namespace ep
 {
 // The page's parts, from the top.
 void writeStability(std::ostream& out, const std::vector<TrialRecord>& trials);
-void writeProblem(std::ostream& out, const std::string& name, const Selection& records);
+/// \param view  of it, as PNG in base64; may be empty
+void writeProblem(std::ostream& out, const std::string& name, const Selection& records, const std::string& view);
 }  // namespace ep
 
 #endif  // EP_REPORT_HTML_PARTS_H

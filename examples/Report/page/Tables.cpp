@@ -4,7 +4,6 @@
 #include "page/Tables.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "judge/Families.h"
 #include "judge/Judgement.h"
@@ -74,33 +73,43 @@ Grid overviewOf(const ByProblem& problems)
 
 namespace
 {
-/// Error, substeps, and the time over that of others, which may be null.
-std::string profileText(const Record& mine, const Record* best, const Record* luckiest)
+/// What else there is to know of a record of the profile. \param luckiest  may be null
+std::string profileTip(const Record& mine, const Record* luckiest)
 {
-	std::string text = format("%s, %.1f", percent(mine.error).c_str(), mine.steps * mine.dt / mine.simulated);
-	if (best)
-		text += format(", x %.1f", mine.cost() / best->cost());
-	if (luckiest && luckiest != best)
-		text += format(" (%.1f)", mine.cost() / luckiest->cost());
+	std::string text =
+		format("%.1f substeps on average, %.3g ms a second", mine.steps * mine.dt / mine.simulated, 1e3 * mine.cost());
+	if (luckiest)
+		text += format("; x %.2f the time of what happens to keep to it: %s in %d substeps",
+					   mine.cost() / luckiest->cost(), nameOf(luckiest->family()).c_str(), luckiest->substeps);
 	return text;
+}
+
+/// Its time over that of the best.
+Grid::Cell timeCell(const Record* mine, const Record* best)
+{
+	if (!mine)
+		return {""};
+	if (!best)
+		return {"none other", NAN, "none of those tried keeps to it"};
+	return {format("x %.1f", mine->cost() / best->cost()), NAN,
+			format("the best: %s, %s, %d substeps, %.3g ms a second", percent(best->error).c_str(),
+				   nameOf(best->family()).c_str(), best->substeps, 1e3 * best->cost())};
 }
 }  // namespace
 
 Grid profileOf(const ByProblem& problems)
 {
 	Grid grid;
-	grid.title = "The profile: error, mean substeps, time over that of the best setting";
+	grid.title = "The profile: error, and time over that of the best setting";
 	grid.what =
 		"For an error of 10, 1 and 0.1 %, direct solver, double, 1/60 s; the best is the quickest of all of Bullet's "
 		"and our "
-		"settings that keeps to the error in its number of substeps and all higher ones; in brackets over the quickest "
-		"that "
-		"happens to keep to it.";
+		"settings that keeps to the error in its number of substeps and all higher ones. More under the mouse.";
 	const double budgets[] = {0.1, 0.01, 0.001};
 	for (const double budget : budgets)
 	{
 		grid.columns.push_back("for " + percent(budget));
-		grid.columns.push_back("the best within " + percent(budget));
+		grid.columns.push_back("time");
 	}
 	for (const std::string& name : problems.names)
 	{
@@ -117,12 +126,8 @@ Grid profileOf(const ByProblem& problems)
 			const Record* const best = quickestReliable(rivals, budget);
 			const Record* const luckiest = quickestWithin(rivals, budget);
 			grid.rows.back().cells.push_back(
-				{mine ? profileText(*mine, best, luckiest) : "", mine ? mine->error : NAN});
-			char text[96] = "none";
-			if (best)
-				snprintf(text, sizeof text, "%s, %s, %d substeps", percent(best->error).c_str(),
-						 nameOf(best->family()).c_str(), best->substeps);
-			grid.rows.back().cells.push_back({text});
+				mine ? Grid::Cell{percent(mine->error), mine->error, profileTip(*mine, luckiest)} : Grid::Cell{""});
+			grid.rows.back().cells.push_back(timeCell(mine, best));
 		}
 	}
 	return grid;
@@ -131,15 +136,16 @@ Grid profileOf(const ByProblem& problems)
 Grid partsOf(const ByProblem& problems)
 {
 	Grid grid;
-	grid.title = "What a scene can leave out: error, and time over that with everything";
+	grid.title = "What a scene can leave out";
 	grid.what =
-		"1/60 s in 8 substeps, direct solver, double; without substeps is one of 1/60 s. Energies and events cost 0.3 "
-		"% of a "
-		"step's instructions (callgrind, 100 joints), so there is no switch for them.";
+		"1/60 s in 8 substeps, direct solver, double; without substeps is one of 1/60 s. Errors, and in the last line "
+		"the median of the times over that with everything; each problem's under the mouse. Energies and events cost "
+		"0.3 % of a step's instructions (callgrind, 100 joints), so there is no switch for them.";
 	grid.columns = {"everything"};
 	for (const Scheme scheme : WITHOUT)
 		grid.columns.push_back(nameOf(schemes(), scheme));
 	grid.columns.push_back("without substeps");
+	std::vector<std::vector<double>> times(grid.columns.size());
 	for (const std::string& name : problems.names)
 	{
 		const Selection& records = problems.records.at(name);
@@ -156,15 +162,23 @@ Grid partsOf(const ByProblem& problems)
 				r->jointClass == JointClass::Spring2)
 				coarse = r;
 		others.push_back(coarse);
-		grid.rows.push_back({name, {cellOf(whole->error)}});
-		for (const Record* r : others)
+		others.insert(others.begin(), whole);
+		grid.rows.push_back({name, {}});
+		for (size_t i = 0; i < others.size(); ++i)
 		{
-			char text[64] = "";
-			if (r)
-				snprintf(text, sizeof text, "%s, x %.2f", percent(r->error).c_str(), r->cost() / whole->cost());
-			grid.rows.back().cells.push_back({text, r ? r->error : NAN});
+			grid.rows.back().cells.push_back({""});
+			if (!others[i])
+				continue;
+			times[i].push_back(others[i]->cost() / whole->cost());
+			grid.rows.back().cells.back() = {percent(others[i]->error), others[i]->error,
+											 format("x %.2f the time", times[i].back())};
 		}
 	}
+	if (grid.rows.empty())
+		return grid;
+	grid.rows.push_back({"", {}});
+	for (std::vector<double>& some : times)
+		grid.rows.back().cells.push_back({some.empty() ? "" : format("x %.2f", median(some)), NAN});
 	return grid;
 }
 }  // namespace ep

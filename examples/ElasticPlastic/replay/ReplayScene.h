@@ -26,6 +26,8 @@ public:
 	btScalar stepTime() const override;
 	void step(const Controls& controls) override;
 	void restart() override { m_frame = 0; }
+	/// To the moment at which it has moved furthest, which one picture shows best.
+	void goToFurthest() { m_frame = m_furthest; }
 	Drawing draw() const override;
 	Bounds bounds() const override;
 	void key(char key) override;
@@ -69,7 +71,7 @@ private:
 	std::string m_title, m_result;
 	std::vector<Body> m_bodies;
 	std::vector<Frame> m_frames;
-	size_t m_frame = 0;
+	size_t m_frame = 0, m_furthest = 0;
 	Bounds m_bounds;             ///< of what moves, and of its supports
 	btScalar m_clearance = 0;    ///< from the drawn ground to the lowest of it, before it is drawn larger [m]
 	double m_interval;           ///< from frame to frame [s]

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include "ReplayScene.h"
+#include "replay/ReplayScene.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -103,15 +103,19 @@ void ReplayScene::measure()
 			addTo(m_bounds, start[i].pose.getOrigin(), m_bodies[i].size);
 	const btScalar size = m_bounds.size().length();
 	btScalar displacement = 0;
-	for (const Frame& frame : m_frames)
+	for (size_t f = 0; f < m_frames.size(); ++f)
 		for (size_t i = 0; i < start.size(); ++i)
 		{
-			const btVector3& place = frame.bodies[i].pose.getOrigin();
+			const btVector3& place = m_frames[f].bodies[i].pose.getOrigin();
 			const btScalar way = (place - start[i].pose.getOrigin()).length();
 			// What flies off may leave the picture.
 			if (m_bodies[i].isFixed || !(way < size))
 				continue;
-			displacement = std::max(displacement, way);
+			if (way > displacement)
+			{
+				displacement = way;
+				m_furthest = f;
+			}
 			m_bounds.add(place);
 		}
 	// The viewer is made for things of a building's size.
