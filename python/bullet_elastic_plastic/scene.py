@@ -21,7 +21,7 @@ Vector = NDArray[np.float64]
 #: Three numbers, or a function that gives them for a time [s].
 VectorOverTime = Union[Sequence[float], Vector, Callable[[float], ArrayLike]]
 
-EVENT_TYPES = ("yield", "break", "remove", "cut", "push")
+EVENT_TYPES = ("yield", "break", "crack", "rupture", "remove", "cut", "push")
 NUM_ENERGIES = 5  # the last columns of a run
 
 
@@ -29,11 +29,12 @@ class Event(NamedTuple):
 	"""What has happened in a scene."""
 
 	time: float  #: [s]
-	type: str  #: "yield" or "break" of a joint; what the scene or you have done: "remove" or "push" a body, "cut" a joint
+	type: str  #: "yield" or "break" of a joint, "crack" or "rupture" of a fibre of its section; what the scene or you have done: "remove" or "push" a body, "cut" a joint
 	name: str  #: of the body or joint
-	dof: Optional[str]  #: degree of freedom that yields or breaks, as "axial"; of other events None
+	dof: Optional[str]  #: degree of freedom that decides in the joint, as "axial"; of other events None
 	energy: float  #: that the joint has dissipated [J]
 	place: Tuple[float, float, float]  #: [m]
+	part: Optional[int] = None  #: of the section, that has cracked or ruptured: 0 is the section itself, then its bars in their order
 
 
 Listener = Callable[["Scene", Event], None]

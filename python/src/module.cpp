@@ -117,7 +117,8 @@ py::tuple eventOf(const ep::Run& run, size_t number)
 		isBody ? s.scene().bodies[size_t(event.index)].name : s.scene().joints[size_t(event.index)].name;
 	const py::object dof = event.dof < 0 ? py::object(py::none()) : py::str(btElasticPlasticDofName(event.dof));
 	return py::make_tuple(event.time, ep::nameOf(ep::sceneEventTypes(), event.type), name, dof, event.energy,
-						  py::tuple(py::cast(threeOf(event.place))));
+						  py::tuple(py::cast(threeOf(event.place))),
+						  event.part < 0 ? py::object(py::none()) : py::object(py::int_(event.part)));
 }
 
 int addLoad(ep::Run& run, const std::string& on, const Three& at, bool turnsAlong)

@@ -20,11 +20,9 @@ using Motion = SceneDescription::Motion;
 const std::vector<Named<SceneEvent::Type>>& sceneEventTypes()
 {
 	using Type = SceneEvent::Type;
-	static const std::vector<Named<Type>> all = {{"yield", Type::Yield},
-												 {"break", Type::Break},
-												 {"remove", Type::Remove},
-												 {"cut", Type::Cut},
-												 {"push", Type::Push}};
+	static const std::vector<Named<Type>> all = {
+		{"yield", Type::Yield},   {"break", Type::Break}, {"crack", Type::Crack}, {"rupture", Type::Rupture},
+		{"remove", Type::Remove}, {"cut", Type::Cut},     {"push", Type::Push}};
 	return all;
 }
 
@@ -514,6 +512,24 @@ void Simulation::push(int index, const btVector3& velocity)
 		m_control->expectBlow();
 }
 
+namespace
+{
+SceneEvent::Type typeOf(const btElasticPlasticEvent& event)
+{
+	switch (event.m_type)
+	{
+		case BT_EP_EVENT_BREAK:
+			return SceneEvent::Type::Break;
+		case BT_EP_EVENT_CRACK:
+			return SceneEvent::Type::Crack;
+		case BT_EP_EVENT_RUPTURE:
+			return SceneEvent::Type::Rupture;
+		default:
+			return SceneEvent::Type::Yield;
+	}
+}
+}  // namespace
+
 void Simulation::takeEvents()
 {
 	btElasticPlasticEvent e;
@@ -521,9 +537,7 @@ void Simulation::takeEvents()
 	{
 		const auto found = m_indexOf.find(e.m_joint);
 		if (found != m_indexOf.end())
-			m_run.events.push_back({e.m_time,
-									e.m_type == BT_EP_EVENT_BREAK ? SceneEvent::Type::Break : SceneEvent::Type::Yield,
-									found->second, e.m_dof, e.m_energy, e.m_position});
+			m_run.events.push_back({e.m_time, typeOf(e), found->second, e.m_dof, e.m_energy, e.m_position, e.m_part});
 	}
 	SceneEnergies& sum = m_run.energies;
 	sum.kinetic = m_world->kineticEnergy();

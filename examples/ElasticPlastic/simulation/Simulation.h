@@ -22,17 +22,21 @@ struct SceneEvent
 	{
 		Yield,
 		Break,
-		Remove,  ///< by the scene: a body
-		Cut,     ///< a joint
-		Push     ///< a body
+		Crack,    ///< of a fibre, see btElasticPlasticEvent.h
+		Rupture,  ///< of a fibre
+		Remove,   ///< by the scene: a body
+		Cut,      ///< a joint
+		Push      ///< a body
 	};
 
 	double time;
 	Type type;
 	int index;  ///< of the joint or body in the description
-	int dof;    ///< of a joint that yields or breaks, else -1
+	int dof;    ///< of what happens to a joint by itself, else -1
 	double energy;
 	btVector3 place;
+	int part =
+		-1;  ///< of the section, that has cracked or ruptured: 0 is the section itself, others come after it in their order
 };
 const std::vector<Named<SceneEvent::Type>>& sceneEventTypes();
 

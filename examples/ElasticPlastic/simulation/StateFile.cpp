@@ -11,7 +11,7 @@ namespace
 {
 using nlohmann::json;
 
-const int STATE_VERSION = 1;
+const int STATE_VERSION = 2;
 const char* const PRECISION = sizeof(btScalar) == sizeof(double) ? "double" : "float";
 
 /// What is read or written of a joint's state: one list for both directions.
@@ -37,20 +37,40 @@ void forEachNumber(State& s, Act act)
 	act(s.m_yielded);
 	act(s.m_broken);
 	act(s.m_passedLevels);
+	for (auto& strain : s.m_fibreStrain)
+		act(strain);
+}
+
+/// The same of a fibre's state.
+template <class State, class Act>
+void forEachNumberOfFibre(State& s, Act act)
+{
+	for (auto* number : {&s.m_force, &s.m_forceRate, &s.m_offset, &s.m_damage, &s.m_path, &s.m_rate, &s.m_rateShare})
+		act(*number);
+	act(s.m_isCracked);
 }
 
 json packJoint(const btElasticPlasticState& state)
 {
-	json numbers = json::array();
+	json numbers = json::array(), fibres = json::array();
 	forEachNumber(state, [&](const auto& value) { numbers.push_back(value); });
-	return numbers;
+	for (int i = 0; i < state.m_fibres.size(); ++i)
+		forEachNumberOfFibre(state.m_fibres[i], [&](const auto& value) { fibres.push_back(value); });
+	return {{"numbers", numbers}, {"fibres", fibres}};
 }
 
-btElasticPlasticState unpackJoint(const json& numbers)
+btElasticPlasticState unpackJoint(const json& packed)
 {
 	btElasticPlasticState state;
 	size_t i = 0;
-	forEachNumber(state, [&](auto& value) { numbers.at(i++).get_to(value); });
+	forEachNumber(state, [&](auto& value) { packed.at("numbers").at(i++).get_to(value); });
+	const json& fibres = packed.at("fibres");
+	for (i = 0; i < fibres.size();)
+	{
+		btElasticPlasticFibreState fibre;
+		forEachNumberOfFibre(fibre, [&](auto& value) { fibres.at(i++).get_to(value); });
+		state.m_fibres.push_back(fibre);
+	}
 	return state;
 }
 
@@ -58,7 +78,7 @@ json packEvents(const std::vector<SceneEvent>& events)
 {
 	json all = json::array();
 	for (const SceneEvent& e : events)
-		all.push_back({e.time, int(e.type), e.index, e.dof, e.energy, e.place.x(), e.place.y(), e.place.z()});
+		all.push_back({e.time, int(e.type), e.index, e.dof, e.energy, e.place.x(), e.place.y(), e.place.z(), e.part});
 	return all;
 }
 
@@ -77,7 +97,7 @@ std::vector<SceneEvent> unpackEvents(const json& all)
 	std::vector<SceneEvent> events;
 	for (const json& e : all)
 		events.push_back({e.at(0), unpackChoice(e.at(1), SceneEvent::Type::Push), e.at(2), e.at(3), e.at(4),
-						  btVector3(e.at(5), e.at(6), e.at(7))});
+						  btVector3(e.at(5), e.at(6), e.at(7)), e.at(8)});
 	return events;
 }
 

@@ -130,7 +130,7 @@ nlohmann::ordered_json RunFiles::summary() const
 std::string RunFiles::eventsCsv() const
 {
 	const Simulation& s = m_simulation;
-	std::string csv = "time_s,event,name,dof,energy_J,x_m,y_m,z_m\n";
+	std::string csv = "time_s,event,name,dof,energy_J,x_m,y_m,z_m,part\n";
 	for (const SceneEvent& event : s.events())
 	{
 		const bool isBody = event.type == SceneEvent::Type::Remove || event.type == SceneEvent::Type::Push;
@@ -140,7 +140,7 @@ std::string RunFiles::eventsCsv() const
 			   (event.dof < 0 ? "" : btElasticPlasticDofName(event.dof)) + "," + cell(event.energy);
 		for (int i = 0; i < 3; ++i)
 			csv += "," + cell(double(event.place[i]));
-		csv += "\n";
+		csv += "," + (event.part < 0 ? "" : std::to_string(event.part)) + "\n";
 	}
 	return csv;
 }

@@ -35,6 +35,7 @@ struct SectionPiece
 		fibre.m_tension = fibre.m_compression * m_material.m_tensileShare;
 		fibre.m_rateReference = m_material.m_rate.m_reference * btScalar(m_gauge);
 		fibre.m_rateExponent = m_material.m_rate.m_exponent;
+		fibre.m_part = m_from.m_material;
 		return fibre;
 	}
 };
@@ -171,6 +172,7 @@ void btElasticPlasticCapacity::addFibres(const btElasticPlasticMaterial& materia
 			(own.m_crushingStrain > 0 ? own.m_crushingStrain : own.m_ultimatePlasticStrain) * gaugeLength;
 		fibre.m_rateReference = own.m_rate.m_reference * gaugeLength;
 		fibre.m_rateExponent = own.m_rate.m_exponent;
+		fibre.m_part = from.m_material;
 		fibre.m_softens = own.m_fractureEnergy > 0;
 		if (fibre.m_softens)
 			fibre.m_stretchLimit = 2 * own.m_fractureEnergy / (own.m_yieldStress * own.m_tensileShare);

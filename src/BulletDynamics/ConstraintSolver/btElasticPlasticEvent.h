@@ -14,7 +14,9 @@ enum btElasticPlasticEventType
 {
 	BT_EP_EVENT_YIELD,  ///< it flowed for the first time
 	BT_EP_EVENT_BREAK,  ///< its ductility is spent, or it was broken on purpose; it has left the world
-	BT_EP_EVENT_LEVEL   ///< a quantity has passed the level set by btElasticPlasticJoint::setLevel
+	BT_EP_EVENT_LEVEL,  ///< a quantity has passed the level set by btElasticPlasticJoint::setLevel
+	BT_EP_EVENT_CRACK,  ///< a fibre that is weaker in tension than in compression has torn: it bears again where it closes
+	BT_EP_EVENT_RUPTURE  ///< a fibre has torn or was crushed: it bears nothing any more
 };
 
 /// What a joint watches for the user.
@@ -32,7 +34,7 @@ struct alignas(16) btElasticPlasticEvent
 {
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
-	btVector3 m_position;  ///< of the joint, world coordinates [m]
+	btVector3 m_position;  ///< of the joint, or of the fibre that the event is about, world coordinates [m]
 	btVector3 m_force;     ///< by the joint's axes [N], see btElasticPlasticJoint::getForce and getJointAxis
 	btVector3 m_moment;    ///< by the joint's axes [N m]
 	btVector3
@@ -48,6 +50,9 @@ struct alignas(16) btElasticPlasticEvent
 	int m_dof;  ///< the most used degree of freedom; of a break and of damage the one with the largest share of ductility spent
 	btElasticPlasticQuantity m_quantity;  ///< that has passed its level
 	btScalar m_value;                     ///< of that quantity [N], [N m], 1
+	/// That has cracked or ruptured, by its index in btElasticPlasticCapacity::m_fibres, and the part of the section that it belongs to
+	/// (btElasticPlasticFibre::m_part); -1 of other events.
+	int m_fibre, m_part;
 };
 
 /// Derive from it to hear of events; give it to btElasticPlasticAction::addListener.
@@ -60,6 +65,8 @@ public:
 	virtual void onYield(const btElasticPlasticEvent&) {}
 	virtual void onBreak(const btElasticPlasticEvent&) {}
 	virtual void onLevel(const btElasticPlasticEvent&) {}
+	virtual void onCrack(const btElasticPlasticEvent&) {}
+	virtual void onRupture(const btElasticPlasticEvent&) {}
 
 	/// A joint was refused; text names it, the value and the valid range. Called from btElasticPlasticAction::addJoint, from
 	/// btElasticPlasticJoint::setCapacity of a joint that the action knows, from btElasticPlasticJoint::setState, and, once a fault,

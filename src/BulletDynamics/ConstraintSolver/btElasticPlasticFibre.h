@@ -28,6 +28,9 @@ struct btElasticPlasticFibre
 	/// its strength knows no rate.
 	btScalar m_rateReference = 0;
 	btScalar m_rateExponent = 5;  ///< >= 1
+	/// Of the section, by which events name it: 0 is the section itself, i the i-th bar or part that was added; an added part's bars come after
+	/// it. A layer of the fibre before, as hardening makes them, has its part and its place.
+	int m_part = 0;
 
 	bool isSameAs(const btElasticPlasticFibre& other) const
 	{
@@ -36,7 +39,13 @@ struct btElasticPlasticFibre
 			   m_stretchLimit == other.m_stretchLimit && m_crushLimit == other.m_crushLimit &&
 			   m_firstPoint == other.m_firstPoint && m_numPoints == other.m_numPoints &&
 			   m_rateReference == other.m_rateReference && m_rateExponent == other.m_rateExponent &&
-			   m_softens == other.m_softens;
+			   m_softens == other.m_softens && m_part == other.m_part;
+	}
+
+	/// Whether the two are layers of one piece of the section, which fails when all of them have.
+	bool isLayerOf(const btElasticPlasticFibre& other) const
+	{
+		return m_part == other.m_part && m_y == other.m_y && m_z == other.m_z;
 	}
 };
 
@@ -67,6 +76,7 @@ struct btElasticPlasticFibreState
 	bool m_isCracked = false;
 
 	bool isRuptured() const { return m_damage >= 1; }
+	bool isTorn() const { return isRuptured() || m_isCracked; }  ///< bears no tension
 };
 
 #endif  // BT_ELASTIC_PLASTIC_FIBRE_H

@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include <algorithm>
+
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
@@ -400,10 +402,30 @@ void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
 	state.m_path += btScalar(fabs(increment));
 	// Rounded up, as a joint's is. More than 1 tells nothing.
 	state.m_damage = btScalar(spent * (1 + double(SIMD_EPSILON)) < left ? double(state.m_damage) + spent : 1);
-	if (!state.isRuptured() || increment < 0 || !(fibre.m_tension < fibre.m_compression))
+	if (!state.isRuptured())
 		return;
-	state.m_isCracked = true;
-	state.m_damage = 0;
+	if (increment > 0 && fibre.m_tension < fibre.m_compression)
+	{
+		state.m_isCracked = true;
+		state.m_damage = 0;
+	}
+	noteLoss(i, left / spent);
+}
+
+/// Notes that a fibre has cracked or ruptured, if it was the last of its piece's layers.
+void FibreStep::noteLoss(int i, double share)
+{
+	const btAlignedObjectArray<btElasticPlasticFibre>& fibres = m_model.m_capacity.m_fibres;
+	const auto hasGone = [&](int k)
+	{
+		const btElasticPlasticFibreState &own = m_model.m_state.m_fibres[i], &other = m_model.m_state.m_fibres[k];
+		return own.isRuptured() ? other.isRuptured() : other.isTorn();
+	};
+	for (const int way : {-1, 1})
+		for (int k = i + way; k >= 0 && k < m_rows.size() && fibres[k].isLayerOf(fibres[i]); k += way)
+			if (!hasGone(k))
+				return;
+	m_losses.push_back({i, m_model.m_state.m_fibres[i].isRuptured(), share});
 }
 
 /// Gives fibres their next state but for the mean of their offsets.
@@ -451,7 +473,13 @@ void FibreStep::tearApart(Outcome& outcome)
 			!(isOpen(i) && m_mapped[i].m_increment > double(m_model.m_capacity.m_fibres[i].m_stretchLimit)))
 			return;
 	for (int i = 0; i < m_rows.size(); ++i)
-		m_model.m_state.m_fibres[i].m_damage = 1;
+	{
+		btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+		if (state.isRuptured())
+			continue;
+		state.m_damage = 1;
+		noteLoss(i, 1);
+	}
 	outcome.m_flowed = true;
 }
 
@@ -498,8 +526,12 @@ FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], cons
 		mapCoupled(trial, shears, outcome);
 	else
 		mapAlone(trial);
+	const int numBefore = m_losses.size();
 	takeStates(trial, outcome);
 	tearApart(outcome);
+	if (m_losses.size() > numBefore + 1)
+		std::stable_sort(&m_losses[numBefore], &m_losses[0] + m_losses.size(),
+						 [](const Loss& a, const Loss& b) { return a.m_share < b.m_share; });
 	if (outcome.m_hasMoved || isCut)
 		takeMean(outcome.m_increment);
 	const int dofs[3] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};

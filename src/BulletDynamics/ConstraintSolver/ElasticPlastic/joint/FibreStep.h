@@ -60,6 +60,18 @@ public:
 	/// \param isCut   the impulses are of a search that has been cut: then all flow is given up
 	Outcome commit(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], bool isCut);
 
+	/// A piece of the section that has cracked or ruptured.
+	struct Loss
+	{
+		int m_fibre;  ///< the last of the piece's layers
+		bool m_isRuptured;
+		double m_share;  ///< of the step's flow, at which it went
+	};
+
+	/// In the order in which they went, since they were forgotten.
+	const btAlignedObjectArray<Loss>& getLosses() const { return m_losses; }
+	void forgetLosses() { m_losses.resize(0); }
+
 	/// By fibre: -1, 0 or 1. The next step's search for the fibres at their bounds begins with them.
 	std::vector<signed char> getLastBounds() const;
 	void setLastBounds(const std::vector<signed char>& bounds);
@@ -100,6 +112,7 @@ private:
 	void flow(int fibre, double force, double increment, Outcome& outcome);
 	void takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
 	void tearApart(Outcome& outcome);
+	void noteLoss(int fibre, double share);
 	void takeMean(btScalar mean[3]);
 
 	JointModel& m_model;
@@ -111,6 +124,7 @@ private:
 	btAlignedObjectArray<Solution> m_solution;
 	btAlignedObjectArray<Mapped> m_mapped;
 	CoupledBundle m_bundle;
+	btAlignedObjectArray<Loss> m_losses;
 };
 }  // namespace btElasticPlastic
 

@@ -351,6 +351,8 @@ void JointRegistry::commitJoints(const btDynamicsWorld& world)
 			reportLevels(joint);
 		if (outcome & JointStep::YIELDED)
 			report(BT_EP_EVENT_YIELD, joint);
+		if (joint.m_step.getLosses().size() > 0)
+			reportLosses(joint);
 		if (outcome & JointStep::BROKE)
 		{
 			report(BT_EP_EVENT_BREAK, joint);
@@ -529,7 +531,9 @@ void JointRegistry::refuse(btElasticPlasticJoint& joint, const char* text)
 	tellAll([&](btElasticPlasticListener& listener) { listener.onRefused(joint, text); });
 }
 
-void JointRegistry::report(btElasticPlasticEventType type, JointWorks& works, btElasticPlasticQuantity quantity)
+/// \param fibre  that the event is about, -1: none
+void JointRegistry::report(btElasticPlasticEventType type, JointWorks& works, btElasticPlasticQuantity quantity,
+						   int fibre)
 {
 	btElasticPlasticJoint& joint = works.m_joint;
 	btElasticPlasticEvent event;
@@ -538,6 +542,13 @@ void JointRegistry::report(btElasticPlasticEventType type, JointWorks& works, bt
 	event.m_bodyA = &works.m_model.bodyA();
 	event.m_bodyB = &works.m_model.bodyB();
 	event.m_position = joint.getPosition();
+	event.m_fibre = event.m_part = fibre;
+	if (fibre >= 0)
+	{
+		const btElasticPlasticFibre& of = works.m_model.m_capacity.m_fibres[fibre];
+		event.m_part = of.m_part;
+		event.m_position += of.m_y * joint.getJointAxis(BT_EP_SHEAR_Y) + of.m_z * joint.getJointAxis(BT_EP_SHEAR_Z);
+	}
 	event.m_force.setValue(joint.getForce(0), joint.getForce(1), joint.getForce(2));
 	event.m_moment.setValue(joint.getForce(3), joint.getForce(4), joint.getForce(5));
 	event.m_energy = joint.getPlasticEnergy() + joint.getElasticEnergy();
@@ -569,6 +580,15 @@ void JointRegistry::reportLevels(JointWorks& joint)
 	}
 }
 
+void JointRegistry::reportLosses(JointWorks& joint)
+{
+	const btAlignedObjectArray<FibreStep::Loss>& losses = joint.m_step.getLosses();
+	for (int i = 0; i < losses.size(); ++i)
+		report(losses[i].m_isRuptured ? BT_EP_EVENT_RUPTURE : BT_EP_EVENT_CRACK, joint, BT_EP_QUANTITY_COUNT,
+			   losses[i].m_fibre);
+	joint.m_step.forgetLosses();
+}
+
 /// Tells all listeners of an event. They may add and remove listeners, joints, and the registry itself.
 /// \param isDeleted  becomes true when the registry is deleted
 void JointRegistry::tell(btElasticPlasticEvent& event, const bool& isDeleted)
@@ -582,8 +602,12 @@ void JointRegistry::tell(btElasticPlasticEvent& event, const bool& isDeleted)
 			listeners[i]->onYield(event);
 		else if (event.m_type == BT_EP_EVENT_BREAK)
 			listeners[i]->onBreak(event);
-		else
+		else if (event.m_type == BT_EP_EVENT_LEVEL)
 			listeners[i]->onLevel(event);
+		else if (event.m_type == BT_EP_EVENT_CRACK)
+			listeners[i]->onCrack(event);
+		else
+			listeners[i]->onRupture(event);
 	}
 }
 

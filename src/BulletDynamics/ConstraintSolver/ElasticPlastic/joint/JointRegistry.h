@@ -141,8 +141,9 @@ private:
 	void endSeparations();
 	void endSeparation(JointWorks& joint);
 	void report(btElasticPlasticEventType type, JointWorks& joint,
-				btElasticPlasticQuantity quantity = BT_EP_QUANTITY_COUNT);
+				btElasticPlasticQuantity quantity = BT_EP_QUANTITY_COUNT, int fibre = -1);
 	void reportLevels(JointWorks& joint);
+	void reportLosses(JointWorks& joint);
 	void tell(btElasticPlasticEvent& event, const bool& isDeleted);
 	template <class Call>
 	void tellAll(const Call& call);

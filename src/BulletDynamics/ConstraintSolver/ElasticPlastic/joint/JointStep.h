@@ -99,7 +99,11 @@ public:
 	void revert() { m_numRows = 0; }
 
 	/// Forgets the last committed step as well.
-	void forget() { m_numRows = m_numCommittedRows = 0; }
+	void forget()
+	{
+		m_numRows = m_numCommittedRows = 0;
+		m_fibres.forgetLosses();
+	}
 
 	// ---- the last committed step
 
@@ -113,6 +117,10 @@ public:
 	void setLastBound(int dof, signed char bound) { m_lastBound[dof] = bound; }
 
 	/// The same of the fibres, in the capacity's order.
+	/// Fibres that have cracked or ruptured since they were forgotten, see FibreStep.
+	const btAlignedObjectArray<FibreStep::Loss>& getLosses() const { return m_fibres.getLosses(); }
+	void forgetLosses() { m_fibres.forgetLosses(); }
+
 	std::vector<signed char> getLastFibreBounds() const { return m_fibres.getLastBounds(); }
 	void setLastFibreBounds(const std::vector<signed char>& bounds) { m_fibres.setLastBounds(bounds); }
 

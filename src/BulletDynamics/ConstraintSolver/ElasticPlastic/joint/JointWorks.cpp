@@ -318,6 +318,7 @@ void JointWorks::commitInside()
 void JointWorks::rewind(const btElasticPlasticState& state)
 {
 	m_step.revert();
+	m_step.forgetLosses();
 	m_model.m_state = state;
 	m_isCommittedInside = false;
 	m_outcome = 0;

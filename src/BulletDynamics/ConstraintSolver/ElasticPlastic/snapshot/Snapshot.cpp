@@ -480,15 +480,26 @@ bool Snapshot::areMotionsSound(const WorldImage& image) const
 	return true;
 }
 
+namespace
+{
+/// So that a spoilt file asks for no memory.
+const int MOST_FIBRES = 1 << 20;
+}  // namespace
+
 bool Snapshot::areEventsSound(const WorldImage& image) const
 {
 	for (const EventImage& event : image.m_events)
+	{
 		if (event.m_joint < 0 || size_t(event.m_joint) >= m_joints.size() || !m_joints[size_t(event.m_joint)] ||
-			event.m_type < BT_EP_EVENT_YIELD || event.m_type > BT_EP_EVENT_LEVEL || event.m_quantity < 0 ||
+			event.m_type < BT_EP_EVENT_YIELD || event.m_type > BT_EP_EVENT_RUPTURE || event.m_quantity < 0 ||
 			event.m_quantity > BT_EP_QUANTITY_COUNT ||
 			(event.m_type == BT_EP_EVENT_LEVEL && event.m_quantity == BT_EP_QUANTITY_COUNT) ||
 			!btElasticPlasticIsDof(event.m_event.m_dof))
 			return false;
+		const bool isOfFibre = event.m_type == BT_EP_EVENT_CRACK || event.m_type == BT_EP_EVENT_RUPTURE;
+		if (isOfFibre != (event.m_event.m_fibre >= 0) || event.m_event.m_fibre >= MOST_FIBRES)
+			return false;
+	}
 	return true;
 }
 

@@ -94,6 +94,7 @@ void transfer(Archive& archive, btElasticPlasticFibre& fibre)
 	archive(fibre.m_rateReference);
 	archive(fibre.m_rateExponent);
 	archive(fibre.m_softens);
+	archive(fibre.m_part);
 }
 
 template <class Archive>
@@ -210,6 +211,8 @@ void transfer(Archive& archive, EventImage& image)
 	archive(image.m_quantity);
 	archive(image.m_event.m_value);
 	archive(image.m_event.m_dof);
+	archive(image.m_event.m_fibre);
+	archive(image.m_event.m_part);
 	archive(image.m_event.m_time);
 	archive(image.m_event.m_energy);
 	transfer(archive, image.m_event.m_position);
