@@ -29,12 +29,18 @@ struct Options
 		app.add_option_function<int>("--rate", rate, "Steps per second of a problem; a trial has steps of its own")
 			->check(ep::optionRange<int>(1, 1000000))
 			->default_str("60");
-		app.add_option("--substeps", method.stepping.substeps, "Of each step")
+		const auto substeps = [this](int count)
+		{
+			method.stepping.substeps = count;
+			method.stepping.error = 0;
+		};
+		CLI::Option* const error =
+			app.add_option("--error", method.stepping.error, "Substeps as this error asks for, 0.01 is 1 %; 0: none")
+				->check(ep::optionRange(0, 1))
+				->capture_default_str();
+		app.add_option_function<int>("--substeps", substeps, "Of each step, whatever error they leave")
 			->check(ep::optionRange<int>(1, 10000))
-			->capture_default_str();
-		app.add_option("--error", method.stepping.error, "Substeps as this error asks for, 0.01 is 1 %; 0: as given")
-			->check(ep::optionRange(0, 1))
-			->capture_default_str();
+			->excludes(error);
 		window.camera = ep::WindowCamera::Side;
 		ep::addWindowOptions(app, window);
 	}
