@@ -64,6 +64,8 @@ DemolisherOptions::DemolisherOptions(CLI::App& app)
 	number(app, "--speed", s.speed, "Speed of the autopilot on its own route [m/s]", 1, 26);
 	number(app, "--step", s.step, "Time step [s]", 1e-3, .1);
 	number(app, "--substeps", s.substeps, "Solver steps in each step", 1, 1000);
+	number(app, "--inner-error", s.innerError,
+		   "Error at which the direct solver takes a blow through inner steps, 0.01 is 1 %; 0: never", 0, 1);
 	number(app, "--iterations", s.method.iterations, "Iterations in each substep, where the solver iterates", 1,
 		   100000);
 	number(app, "--steel-share", s.bridge.steelShare, "Share of steel in the bridge deck's section", .0001, 1);

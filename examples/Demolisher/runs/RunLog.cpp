@@ -59,6 +59,7 @@ Json toJson(const DemolisherSummary& s, const DemolisherSettings& settings)
 		{"solver", nameOf(solvers(), settings.method.solver)},
 		{"step_s", settings.step},
 		{"substeps", settings.substeps},
+		{"inner_error", settings.innerError},
 		{"iterations", settings.method.iterations},
 		{"steel_share", settings.bridge.steelShare},
 		{"ductility", settings.materials.ductility},

@@ -5,6 +5,8 @@
 
 #include <chrono>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
+
 namespace ep
 {
 namespace
@@ -27,6 +29,7 @@ Demolisher::Demolisher(const DemolisherSettings& settings)
 	addGround(m_world);
 	for (Scene scene : m_settings.onTheWay())
 		build(scene);
+	setEffort(settings.substeps, settings.method.iterations, settings.innerError);
 	if (m_settings.sleepSpeed > 0)
 		m_world.allowSleep(m_settings.sleepSpeed);
 }
@@ -89,9 +92,16 @@ void Demolisher::stepByAutopilot()
 	step(controls);
 }
 
-void Demolisher::setEffort(int substeps, int iterations)
+void Demolisher::setEffort(int substeps, int iterations, btScalar innerError)
 {
 	m_settings.substeps = substeps;
+	m_settings.innerError = innerError;
+	if (auto* const ours = dynamic_cast<btElasticPlasticConstraintSolver*>(m_world.bullet().getConstraintSolver()))
+	{
+		btElasticPlasticSolverSettings settings = ours->getSettings();
+		settings.m_innerError = double(innerError);
+		ours->setSettings(settings);
+	}
 	m_settings.method.iterations = iterations;
 	m_world.bullet().getSolverInfo().m_numIterations = iterations;
 }

@@ -45,7 +45,7 @@ public:
 	void follow(const Route& route) { m_autopilot = Autopilot(route); }
 
 	/// What the next steps are solved with.
-	void setEffort(int substeps, int iterations);
+	void setEffort(int substeps, int iterations, btScalar innerError);
 
 	/// Puts the vehicle at the start of a scene.
 	void jumpTo(Scene scene);

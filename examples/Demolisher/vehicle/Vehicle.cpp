@@ -207,7 +207,6 @@ void Vehicle::updateFriction(btScalar step)
 	for (int i = 0; i < getNumWheels(); ++i)
 		if (m_ground[i])
 			updateWheel(i, wheelsOnGround, step);
-	m_loadOnBodies /= step;
 }
 
 void Vehicle::updateWheel(int index, int wheelsOnGround, btScalar step)
@@ -223,11 +222,7 @@ void Vehicle::updateWheel(int index, int wheelsOnGround, btScalar step)
 	force =
 		btMax(btScalar(0), btMin(given + damping * velocityAt(ground, point).dot(normal), wheel.m_maxSuspensionForce));
 	m_chassis.applyImpulse(normal * ((force - given) * step), point - m_chassis.getCenterOfMassPosition());
-	if (ground.getInvMass() > 0 && ground.isActive())
-	{
-		m_ground[index]->applyImpulse(normal * (-force * step), point - ground.getCenterOfMassPosition());
-		m_loadOnBodies -= normal * (force * step);
-	}
+	loadGround(index, normal * -force);
 
 	// Bullet's wheel has its axle along the wheel's x axis.
 	const btVector3 axle = wheel.m_worldTransform.getBasis().getColumn(getRightAxis());
@@ -239,18 +234,24 @@ void Vehicle::updateWheel(int index, int wheelsOnGround, btScalar step)
 	impulse += forward * (wheel.m_engineForce * step + btMax(-wheel.m_brake * step, btMin(wheel.m_brake * step, stop)));
 	const btScalar limit = wheel.m_frictionSlip * force * step, size = impulse.length();
 	wheel.m_skidInfo = size > limit ? limit / size : btScalar(1);
-	applyImpulse(index, impulse * wheel.m_skidInfo);
+	applyTyre(index, impulse * wheel.m_skidInfo, step);
 }
 
-void Vehicle::applyImpulse(int wheel, const btVector3& impulse)
+void Vehicle::applyTyre(int wheel, const btVector3& impulse, btScalar step)
 {
 	const btVector3& point = m_wheelInfo[wheel].m_raycastInfo.m_contactPointWS;
-	btRigidBody& ground = *m_ground[wheel];
 	m_chassis.applyImpulse(impulse, point - m_chassis.getCenterOfMassPosition());
+	loadGround(wheel, impulse / -step);
+}
+
+/// By a force, which acts throughout the step, inner steps too: an impulse would be a blow at the step's beginning.
+void Vehicle::loadGround(int wheel, const btVector3& force)
+{
+	btRigidBody& ground = *m_ground[wheel];
 	if (ground.getInvMass() == 0 || !ground.isActive())
 		return;
-	ground.applyImpulse(-impulse, point - ground.getCenterOfMassPosition());
-	m_loadOnBodies -= impulse;
+	ground.applyForce(force, m_wheelInfo[wheel].m_raycastInfo.m_contactPointWS - ground.getCenterOfMassPosition());
+	m_loadOnBodies += force;
 }
 
 void Vehicle::applyDrag(btScalar step)

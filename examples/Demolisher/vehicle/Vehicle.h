@@ -84,7 +84,8 @@ private:
 	void* castRay(const btVector3& from, const btVector3& to, btVehicleRaycasterResult& result) override;
 	bool sleeps();
 	void updateWheel(int index, int wheelsOnGround, btScalar step);
-	void applyImpulse(int wheel, const btVector3& impulse);
+	void applyTyre(int wheel, const btVector3& impulse, btScalar step);
+	void loadGround(int wheel, const btVector3& force);
 	void applyDrag(btScalar step);
 
 	World& m_world;
