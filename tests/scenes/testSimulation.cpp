@@ -207,6 +207,23 @@ TEST(SceneJoints, BearAWeightAsTheirStiffnessSays)
 	}
 }
 
+TEST(SceneJoints, AreFreeWhereTheyHaveNoCapacity)
+{
+	for (const char* kind : {"elastic-plastic", "elastic-plastic-spring"})
+	{
+		Simulation s(sceneOf(std::string(R"("world": {"gravity": [0, 0, 0]}, "end": {"time": 0.5},
+			"bodies": [{"name": "box", "box": [1, 1, 1], "mass": 100, "velocity": [1, 2, 0], "spin": [3, 0, 0]}],
+			"joints": [{"name": "j", "from": "world", "to": "box", "at": [0, 0, 0], "along": [1, 0, 0], "type": ")") +
+							 kind + R"(", "capacity": {"axial": {"stiffness": 1e9}}}],
+			"probes": [{"name": "along", "of": "box", "measure": "displacement", "axis": "x"},
+				{"name": "across", "of": "box", "measure": "displacement", "axis": "y"}, {"name": "spin", "of": "box", "measure": "spin", "axis": "x"}])"));
+		run(s);
+		EXPECT_NEAR(probe(s, 0), 0, 1e-3) << kind;
+		EXPECT_NEAR(probe(s, 1), 1, 1e-3) << kind;
+		EXPECT_NEAR(probe(s, 2), 3, 1e-3) << kind;
+	}
+}
+
 TEST(SceneJoints, TearAtTheirYieldAndAreTold)
 {
 	// 0.01 m^2 of 200 MPa bear 2 MN; the force grows by 1 MN in a second.

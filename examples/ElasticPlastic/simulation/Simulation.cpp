@@ -243,6 +243,10 @@ void Simulation::buildJoint(size_t index)
 		if (j.type == JointType::Paper)
 			built.joint->setScheme(BT_EP_SCHEME_PAPER);
 		built.joint->setName(j.name.c_str());
+		// Bullet's class would lock translations that have no capacity.
+		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+			if (!j.capacity.isElasticPlastic(dof))
+				m_world->release(*built.joint, dof);
 		built.constraint = &built.joint->getConstraint();
 		m_indexOf[built.joint] = int(index);
 	}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// Scenes that are compared with measurements in docs/validation.md. What was measured is no bound here.
+
+#include <algorithm>
+#include <filesystem>
+
+#include "run/RunFiles.h"
+#include "scenes/Scenes.h"
+#include "simulation/Probes.h"
+
+using namespace ep;
+
+namespace
+{
+class Measured : public testing::TestWithParam<const char*>
+{
+};
+}  // namespace
+
+TEST_P(Measured, RunsAsExpected)
+{
+	const std::string file =
+		(std::filesystem::path(EP_SOURCE_DIR) / "examples/scenes/measured" / GetParam()).string() + ".json";
+	Simulation simulation(describeScene(SceneText::read(file)));
+	RunFiles files(simulation);
+	while (simulation.ending() == Ending::None)
+	{
+		simulation.step();
+		files.step();
+	}
+	EXPECT_NE(simulation.ending(), Ending::NotFinite);
+	EXPECT_FALSE(simulation.scene().expectations.empty());
+	for (const std::string& unmet : unmetExpectations(simulation, files.values()))
+		ADD_FAILURE() << unmet;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Measured,
+						 testing::Values("column-removal-welded", "column-removal-reduced", "drop-on-concrete-beam",
+										 "charpy-general-yield"),
+						 [](const auto& info)
+						 {
+							 std::string name = info.param;
+							 std::replace(name.begin(), name.end(), '-', '_');
+							 return name;
+						 });
