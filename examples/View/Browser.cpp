@@ -75,7 +75,9 @@ void Browser::list(Panel& panel)
 		{
 			if (&sample == m_opened)
 				selected = int(rows.size());
-			rows.push_back({{.3f, .5f, .9f}, {sample.name + (sample.what.empty() ? "" : ": " + sample.what)}});
+			rows.push_back({{.3f, .5f, .9f},
+							{sample.name + (sample.what.empty() ? "" : "\n" + sample.what)},
+							m_pictures + "/" + sample.picture()});
 		}
 		const int clicked = panel.table(group.title.c_str(), {"click to open"}, rows, selected);
 		if (clicked >= 0)

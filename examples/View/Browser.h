@@ -12,7 +12,11 @@ namespace ep
 class Browser : public ViewedScene
 {
 public:
-	explicit Browser(const std::vector<SampleGroup>& groups) : m_groups(groups) {}
+	/// \param pictures  their folder
+	explicit Browser(const std::vector<SampleGroup>& groups, const std::string& pictures = EP_SAMPLE_PICTURES)
+		: m_groups(groups), m_pictures(pictures)
+	{
+	}
 
 	std::string title() const override { return "Examples"; }
 	btScalar stepTime() const override { return m_scene ? m_scene->stepTime() : btScalar(1) / 60; }
@@ -34,6 +38,7 @@ private:
 	void open();
 
 	const std::vector<SampleGroup> m_groups;
+	const std::string m_pictures;
 	const Sample* m_wanted = nullptr;  ///< opened in the next frame: before that the window says so
 	const Sample* m_opened = nullptr;
 	std::string m_complaint;

@@ -4,6 +4,7 @@
 #include "Samples.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 
@@ -11,9 +12,13 @@
 #include "replay/ReplayScene.h"
 #include "scenes/destruction/Catalogue.h"
 #include "text/Format.h"
+#include "text/OutputFiles.h"
 #include "trials/Catalogue.h"
 #include "view/DemolisherScene.h"
 #include "view/Scene.h"
+#ifdef EP_WITH_PICTURES
+#include "picture/ScenePicture.h"
+#endif
 #ifdef EP_WITH_SCENE_FILES
 #include "scenefile/SceneFile.h"
 #include "sceneview/LiveScene.h"
@@ -23,6 +28,10 @@ namespace ep
 {
 namespace
 {
+#ifdef EP_WITH_PICTURES
+const int PICTURE_WIDTH = 96, PICTURE_HEIGHT = 54;  // [pixels]
+#endif
+
 std::string solve(const Problem& problem, const Method& method, Stepping stepping, const Watch& watch)
 {
 	stepping.watch = watch;
@@ -69,7 +78,8 @@ SampleGroup destructionSamples(const SampleMethod& m)
 				 return replay(
 					 std::string(scene.name) + ": " + scene.what, [&](const Watch& watch)
 					 { return format("%d joints broken", playDestruction(scene, m.solver == Solver::Stock, watch)); });
-			 }});
+			 },
+			 -1, scene.isLarge});
 	return group;
 }
 
@@ -97,9 +107,11 @@ SampleGroup sceneFileSamples(const std::string& folder)
 		if (entry.path().extension() != ".json")
 			continue;
 		const SceneText text = SceneText::read(file);
-		if (text.root.find("title"))
-			group.samples.push_back(
-				{entry.path().filename().string(), describeScene(text).title, [file] { return openSceneFile(file); }});
+		if (!text.root.find("title"))
+			continue;
+		const SceneDescription scene = describeScene(text);
+		group.samples.push_back({entry.path().filename().string(), scene.title, [file] { return openSceneFile(file); },
+								 scene.pictureTime < 0 ? scene.end.time : scene.pictureTime});
 	}
 	std::sort(group.samples.begin(), group.samples.end(),
 			  [](const Sample& a, const Sample& b) { return a.name < b.name; });
@@ -120,7 +132,9 @@ Sample demolisherSample(const std::string& name, const std::string& what, const 
 				scene->setAutopilot(true);
 				scene->setRemembers(true);
 				return std::unique_ptr<ViewedScene>(std::move(scene));
-			}};
+			},
+			// When the first one is being run into, or crossed.
+			scenes.front() == Scene::Bridge ? 9.6 : 6.5};
 }
 
 SampleGroup demolisherSamples()
@@ -138,7 +152,7 @@ SampleGroup charpySamples()
 	const auto sample = [](const char* name, const char* what, const charpy::Settings& settings) -> Sample
 	{
 		return {std::string("charpy/") + name, what,
-				[settings] { return std::unique_ptr<ViewedScene>(std::make_unique<charpy::Scene>(settings)); }};
+				[settings] { return std::unique_ptr<ViewedScene>(std::make_unique<charpy::Scene>(settings)); }, .01};
 	};
 	return {"Charpy impact test",
 			{sample("repeatable", "hammer and anvils whose contacts are the same in each test", charpy::Settings()),
@@ -154,6 +168,39 @@ std::vector<SampleGroup> allSamples(const SampleMethod& method, const std::strin
 		std::remove_if(groups.begin(), groups.end(), [](const SampleGroup& group) { return group.samples.empty(); }),
 		groups.end());
 	return groups;
+}
+
+/// Names of trials have blanks and slashes.
+std::string Sample::picture() const
+{
+	std::string file = name;
+	for (char& c : file)
+		if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.' && c != '-')
+			c = '_';
+	return file + ".png";
+}
+
+void makePictures(const std::vector<SampleGroup>& groups, const std::string& folder)
+{
+#ifdef EP_WITH_PICTURES
+	makeDirectory(folder);
+	for (const SampleGroup& group : groups)
+		for (const Sample& sample : group.samples)
+		{
+			const std::string file = (std::filesystem::path(folder) / sample.picture()).string();
+			if (sample.isLarge || std::filesystem::exists(file))
+				continue;
+			const std::unique_ptr<ViewedScene> scene = sample.open();
+			if (auto* const replay = dynamic_cast<ReplayScene*>(scene.get()))
+				replay->goToFurthest();
+			for (double time = 0; time < sample.pictureTime; time += double(scene->stepTime()))
+				scene->step(Controls());
+			writePng(file, takePicture(*scene, PICTURE_WIDTH, PICTURE_HEIGHT));
+		}
+#else
+	(void)groups;
+	throw std::runtime_error("there are no pictures for '" + folder + "': built without libpng");
+#endif
 }
 
 const Sample* findSample(const std::vector<SampleGroup>& groups, const std::string& name)

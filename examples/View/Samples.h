@@ -21,6 +21,11 @@ struct Sample
 	std::string name, what;
 	/// Throws std::runtime_error if it cannot be shown.
 	std::function<std::unique_ptr<ViewedScene>()> open;
+	double pictureTime = -1;  ///< into it at which its picture is taken [s]; -1: of a replay when it has moved furthest
+	bool isLarge = false;     ///< takes minutes
+
+	/// The name of its picture, without a folder.
+	std::string picture() const;
 };
 
 struct SampleGroup
@@ -41,6 +46,9 @@ struct SampleMethod
 /// All that the project has to show.
 /// \param folder  of scene files; without one there are none
 std::vector<SampleGroup> allSamples(const SampleMethod& method, const std::string& folder);
+
+/// Draws pictures of all samples that there are none of in a folder, but for the large ones.
+void makePictures(const std::vector<SampleGroup>& groups, const std::string& folder);
 
 /// \return null if there is none of that name
 const Sample* findSample(const std::vector<SampleGroup>& groups, const std::string& name);

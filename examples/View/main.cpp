@@ -22,6 +22,7 @@ struct Options
 		const auto rate = [this](int perSecond) { method.stepping.step = 1. / perSecond; };
 		app.add_option("name", name, "What to open, as --list names it, or a scene's file; without it all is offered");
 		app.add_flag("--list", list, "Name all that there is, and end");
+		app.add_option("--make-pictures", pictures, "Draw pictures that the list lacks into this folder, and end");
 		app.add_option("--scenes", scenes, "Folder of scene files that are offered")->capture_default_str();
 		addNamedOption(app, "--solver", method.solver,
 					   "How it is solved; stock: scenes of destruction in Bullet's own way", ep::solvers());
@@ -45,7 +46,7 @@ struct Options
 		ep::addWindowOptions(app, window);
 	}
 
-	std::string name, scenes = EP_SCENES;
+	std::string name, pictures, scenes = EP_SCENES;
 	bool list = false;
 	ep::SampleMethod method;
 	ep::WindowOptions window;
@@ -67,6 +68,8 @@ std::unique_ptr<ep::ViewedScene> sceneOf(const Options& o, const std::vector<ep:
 void run(const Options& o)
 {
 	const std::vector<ep::SampleGroup> samples = ep::allSamples(o.method, o.scenes);
+	if (!o.pictures.empty())
+		return ep::makePictures(samples, o.pictures);
 	// Without a display there is the list at least.
 	if (o.list || (o.name.empty() && !ep::hasDisplay()))
 		std::cout << ep::listOf(samples);

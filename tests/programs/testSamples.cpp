@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cstdio>
+#include <filesystem>
 #include <set>
 
 #include "Browser.h"
@@ -59,6 +62,31 @@ TEST(Samples, AreAllKindsWithALineAndANameOfTheirOwn)
 		EXPECT_TRUE(names.count(name)) << name;
 #ifdef EP_WITH_SCENE_FILES
 	EXPECT_TRUE(names.count("column-loss.json"));
+#endif
+}
+
+TEST(Samples, HavePicturesOfTheirOwn)
+{
+	std::set<std::string> wanted, there;
+	for (const SampleGroup& group : samples())
+		for (const Sample& sample : group.samples)
+		{
+			if (sample.isLarge)
+				continue;
+			EXPECT_TRUE(wanted.insert(sample.picture()).second) << sample.name;
+		}
+	for (const auto& file : std::filesystem::directory_iterator(EP_SAMPLE_PICTURES))
+		there.insert(file.path().filename().string());
+#ifdef EP_WITH_SCENE_FILES
+	// ep-view --make-pictures docs/samples draws those that are missing.
+	EXPECT_EQ(wanted, there);
+#endif
+#ifdef EP_WITH_PICTURES
+	const std::filesystem::path folder =
+		std::filesystem::temp_directory_path() / ("ep-samples-" + std::to_string(::getpid()));
+	makePictures({{"One", {*findSample(samples(), "charpy/paper")}}}, folder.string());
+	EXPECT_GT(std::filesystem::file_size(folder / "charpy_paper.png"), 1000u);
+	std::filesystem::remove_all(folder);
 #endif
 }
 

@@ -46,6 +46,7 @@ public:
 	{
 		Colour colour;
 		std::vector<std::string> cells;
+		std::string picture = {};  ///< a PNG file in place of the colour's mark; empty or missing: none
 	};
 	/// \return the row that was clicked, -1: none
 	virtual int table(const char* name, const std::vector<std::string>& titles, const std::vector<Row>& rows,

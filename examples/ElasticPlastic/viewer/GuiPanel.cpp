@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 #include "viewer/Brush.h"
 #include "viewer/Chart.h"
+#include "viewer/Textures.h"
 
 namespace ep
 {
@@ -146,12 +148,24 @@ int GuiPanel::table(const char* name, const std::vector<std::string>& titles, co
 				continue;
 			}
 			ImGui::PushID(int(r));
-			ImGui::PushStyleColor(ImGuiCol_Text, shown(rows[r].colour));
-			ImGui::TextUnformatted("\u25a0");
-			ImGui::PopStyleColor();
+			float height = 0;
+			if (const Texture* const picture = textureOf(rows[r].picture))
+			{
+				height = 3 * ImGui::GetTextLineHeight();
+				ImGui::Image(reinterpret_cast<ImTextureID>(std::uintptr_t(picture->name)),
+							 ImVec2(height * float(picture->width) / float(picture->height), height));
+			}
+			else
+			{
+				ImGui::PushStyleColor(ImGuiCol_Text, shown(rows[r].colour));
+				ImGui::TextUnformatted("\u25a0");
+				ImGui::PopStyleColor();
+			}
 			ImGui::SameLine(0, 4);
-			if (ImGui::Selectable(cell, int(r) == selected, ImGuiSelectableFlags_SpanAllColumns))
+			ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0, .5f));
+			if (ImGui::Selectable(cell, int(r) == selected, ImGuiSelectableFlags_SpanAllColumns, ImVec2(0, height)))
 				clicked = int(r);
+			ImGui::PopStyleVar();
 			ImGui::PopID();
 		}
 	}
