@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
 #include "support/Close.h"
+#include "support/SectionCells.h"
 
 namespace
 {
@@ -19,32 +19,9 @@ const btScalar YIELD = btScalar(250e6);
 
 btElasticPlasticMaterial steel() { return btElasticPlasticMaterial::steel(YIELD); }
 
-struct Cell
+std::vector<SectionCell> cellsOf(const btElasticPlasticCapacity& capacity)
 {
-	double y, z, tension, compression;
-};
-
-/// A direction of N, M_y, M_z.
-struct Direction
-{
-	double n, y, z;
-};
-
-/// What a section of cells bears in a direction: the most of n N + y M_y + z M_z.
-double support(const std::vector<Cell>& cells, const Direction& q)
-{
-	double sum = 0;
-	for (const Cell& cell : cells)
-	{
-		const double stretch = q.n + q.y * cell.z - q.z * cell.y;
-		sum += stretch * (stretch > 0 ? cell.tension : -cell.compression);
-	}
-	return sum;
-}
-
-std::vector<Cell> cellsOf(const btElasticPlasticCapacity& capacity)
-{
-	std::vector<Cell> cells;
+	std::vector<SectionCell> cells;
 	for (int i = 0; i < capacity.m_fibres.size(); ++i)
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
@@ -54,10 +31,10 @@ std::vector<Cell> cellsOf(const btElasticPlasticCapacity& capacity)
 }
 
 /// The shape in so many cells that they err by less than 1 / 80^2, 0.02 %.
-std::vector<Cell> finely(const btElasticPlasticSection& section)
+std::vector<SectionCell> finely(const btElasticPlasticSection& section)
 {
 	const int n = 80;
-	std::vector<Cell> cells;
+	std::vector<SectionCell> cells;
 	for (int p = 0; p < section.m_parts.size(); ++p)
 	{
 		const btElasticPlasticSectionPart& part = section.m_parts[p];
@@ -88,20 +65,11 @@ btElasticPlasticCapacity capacityOf(const btElasticPlasticSection& section)
 	return btElasticPlasticCapacity::fromMember(steel(), section, 1, 1);
 }
 
-/// The largest deviation over random directions, each of N, M_y, M_z counting by what the section bears of it alone.
 double deviation(const btElasticPlasticSection& shape, int count)
 {
-	const std::vector<Cell> exact = finely(shape), fibres = cellsOf(capacityOf(shape.withFibres(count)));
-	const double of[] = {support(exact, {1, 0, 0}), support(exact, {0, 1, 0}), support(exact, {0, 0, 1})};
-	std::mt19937 random(1);
-	std::normal_distribution<double> normal;
-	double most = 0;
-	for (int i = 0; i < 2000; ++i)
-	{
-		const Direction q = {normal(random) / of[0], normal(random) / of[1], normal(random) / of[2]};
-		most = std::max(most, std::fabs(support(fibres, q) / support(exact, q) - 1));
-	}
-	return most;
+	const std::vector<SectionCell> exact = finely(shape), fibres = cellsOf(capacityOf(shape.withFibres(count)));
+	return largestDeviation(fibres, exact,
+							{support(exact, {1, 0, 0}), support(exact, {0, 1, 0}), support(exact, {0, 0, 1})}, 2000);
 }
 
 struct Shape
@@ -167,16 +135,16 @@ TEST(SectionFibres, AreExactWhereOneForceActsAlone)
 }
 
 /// The largest moment about z beside an axial force: fibres are stretched from one side on until they add up to it.
-double momentBeside(double axial, std::vector<Cell> cells)
+double momentBeside(double axial, std::vector<SectionCell> cells)
 {
-	std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.y < b.y; });
+	std::sort(cells.begin(), cells.end(), [](const SectionCell& a, const SectionCell& b) { return a.y < b.y; });
 	double force = 0, moment = 0;
-	for (const Cell& cell : cells)
+	for (const SectionCell& cell : cells)
 	{
 		force -= cell.compression;
 		moment += cell.compression * cell.y;
 	}
-	for (const Cell& cell : cells)
+	for (const SectionCell& cell : cells)
 	{
 		const double range = cell.tension + cell.compression, share = std::min(1., (axial - force) / range);
 		force += share * range;

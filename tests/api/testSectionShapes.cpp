@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
 #include "support/Close.h"
+#include "support/SectionCells.h"
 
 namespace
 {
@@ -231,16 +231,11 @@ TEST(SectionShapes, Angle)
 
 // ---- fibres, against integrals over the shape
 
-struct Cell
-{
-	double y, z, force;
-};
-
 /// The shape in cells of a 200th of its size, by whether their middle is inside.
-std::vector<Cell> finely(const Section& s)
+std::vector<SectionCell> finely(const Section& s)
 {
 	const int n = 400;
-	std::vector<Cell> cells;
+	std::vector<SectionCell> cells;
 	double low[2] = {1e9, 1e9}, high[2] = {-1e9, -1e9};
 	for (int i = 0; i < s.m_corners.size(); ++i)
 	{
@@ -266,60 +261,36 @@ std::vector<Cell> finely(const Section& s)
 						isInside = !isInside;
 				}
 			if (isInside)
-				cells.push_back({y, z, 1});
+				cells.push_back({y, z, 1, 1});
 		}
 	// Edges cut cells: area and centroid are made right.
 	double sum[3] = {};
-	for (const Cell& cell : cells)
+	for (const SectionCell& cell : cells)
 	{
 		sum[0] += 1;
 		sum[1] += cell.y;
 		sum[2] += cell.z;
 	}
-	for (Cell& cell : cells)
+	for (SectionCell& cell : cells)
 	{
-		cell.force = double(s.m_area) / sum[0];
+		cell.tension = cell.compression = double(s.m_area) / sum[0];
 		cell.y -= sum[1] / sum[0];
 		cell.z -= sum[2] / sum[0];
 	}
 	return cells;
 }
 
-struct Direction
-{
-	double n, y, z;
-};
-
-double support(const std::vector<Cell>& cells, const Direction& q)
-{
-	double sum = 0;
-	for (const Cell& cell : cells)
-		sum += std::fabs(q.n + q.y * cell.z - q.z * cell.y) * cell.force;
-	return sum;
-}
-
-/// The largest deviation over random directions, each of N, M_y, M_z counting by what the section bears of it alone. The least and
-/// the largest ratio of what two convex sets bear, over all directions, are those of their radii.
 double deviation(const Section& shape, int count)
 {
-	const std::vector<Cell> exact = finely(shape);
 	const Section section = shape.withFibres(count);
-	std::vector<Cell> fibres;
+	std::vector<SectionCell> fibres;
 	for (int i = 0; i < section.m_fibres.size(); ++i)
 	{
 		const btElasticPlasticSectionFibre& f = section.m_fibres[i];
-		fibres.push_back({f.m_y, f.m_z, f.m_area});
+		fibres.push_back({f.m_y, f.m_z, f.m_area, f.m_area});
 	}
-	const double of[] = {shape.m_area, shape.m_plasticModulus[0], shape.m_plasticModulus[1]};
-	std::mt19937 random(1);
-	std::normal_distribution<double> normal;
-	double most = 0;
-	for (int i = 0; i < 1000; ++i)
-	{
-		const Direction q = {normal(random) / of[0], normal(random) / of[1], normal(random) / of[2]};
-		most = std::max(most, std::fabs(support(fibres, q) / support(exact, q) - 1));
-	}
-	return most;
+	return largestDeviation(fibres, finely(shape), {shape.m_area, shape.m_plasticModulus[0], shape.m_plasticModulus[1]},
+							1000);
 }
 
 struct Shape
