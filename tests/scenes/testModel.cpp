@@ -8,11 +8,11 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
 #include <map>
 #include <random>
 
 #include "cases/CaseRunner.h"
+#include "gltf/BufferWriter.h"
 #include "scenes/Scenes.h"
 #include "simulation/Simulation.h"
 
@@ -26,17 +26,13 @@ typedef std::vector<float> Points;  // x, y, z of one after another
 class ModelFile
 {
 public:
-	ModelFile() { m_model.buffers.emplace_back(); }
-
 	tinygltf::Node& add(const std::string& name, const Points& points, const std::vector<unsigned short>& corners,
 						const std::vector<double>& at)
 	{
 		tinygltf::Primitive primitive;
 		primitive.mode = TINYGLTF_MODE_TRIANGLES;
-		primitive.attributes["POSITION"] = accessor(points.data(), points.size() / 3, sizeof(float) * 3,
-													TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3);
-		primitive.indices =
-			accessor(corners.data(), corners.size(), 2, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR);
+		primitive.attributes["POSITION"] = m_buffer.add(points, 3, TINYGLTF_TARGET_ARRAY_BUFFER);
+		primitive.indices = m_buffer.addCorners(corners);
 		tinygltf::Mesh mesh;
 		mesh.primitives.push_back(primitive);
 		m_model.meshes.push_back(mesh);
@@ -90,26 +86,8 @@ public:
 	}
 
 private:
-	int accessor(const void* values, size_t count, size_t size, int component, int type)
-	{
-		auto& data = m_model.buffers[0].data;
-		tinygltf::BufferView view;
-		view.buffer = 0;
-		view.byteOffset = data.size();
-		view.byteLength = count * size;
-		data.resize((data.size() + view.byteLength + 3) / 4 * 4);
-		std::memcpy(&data[view.byteOffset], values, view.byteLength);
-		m_model.bufferViews.push_back(view);
-		tinygltf::Accessor accessor;
-		accessor.bufferView = int(m_model.bufferViews.size()) - 1;
-		accessor.componentType = component;
-		accessor.type = type;
-		accessor.count = count;
-		m_model.accessors.push_back(accessor);
-		return int(m_model.accessors.size()) - 1;
-	}
-
 	tinygltf::Model m_model;
+	BufferWriter m_buffer{m_model};
 };
 
 tinygltf::Value properties(const std::string& key, const std::string& value)

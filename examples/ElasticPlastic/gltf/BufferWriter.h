@@ -50,6 +50,14 @@ public:
 		return int(m_model.accessors.size()) - 1;
 	}
 
+	/// The corners of triangles, by their numbers.
+	int addCorners(const std::vector<unsigned short>& corners)
+	{
+		add(corners.data(), corners.size() * sizeof corners[0], corners.size(), TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+			TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+		return int(m_model.accessors.size()) - 1;
+	}
+
 private:
 	tinygltf::Accessor& add(const void* values, size_t bytes, size_t count, int component, int type, int target)
 	{
@@ -59,7 +67,8 @@ private:
 		view.byteOffset = data.size();
 		view.byteLength = bytes;
 		view.target = target;
-		data.resize(data.size() + bytes);
+		// The next one begins at a whole number of its components.
+		data.resize((data.size() + bytes + 3) / 4 * 4);
 		if (bytes > 0)
 			std::memcpy(&data[view.byteOffset], values, bytes);
 		m_model.bufferViews.push_back(view);
