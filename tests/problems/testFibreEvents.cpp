@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// Events that tell which part of a section went, and in which order.
+// What the fibres of a section tell: events of which went, and in which order, and readings.
 
 #include <cmath>
 #include <vector>
@@ -247,5 +247,41 @@ TEST(FibreEvents, GoIntoSnapshotsUnread)
 	}
 	EXPECT_EQ(1, ruptures);
 	EXPECT_FALSE(to.m_world.action().popEvent(b));
+}
+TEST(FibreReadings, AreTheElongationAtTheirPlace)
+{
+	// Stretched and turned, elastic and plastic, back and forth: e - y a of each fibre, less F / k of it to stay.
+	btElasticPlasticSection section = btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.1)).withFibres(16);
+	section.addBar(btScalar(-0.045), 0, btScalar(1e-4), steel(0.1));
+	Puller puller(btElasticPlasticCapacity::fromMember(steel(0.2), section, 1, 1));
+	const btElasticPlasticJoint& joint = *puller.m_joint;
+	EXPECT_EQ(-1, joint.getRulingFibre());
+	double stretch = 0, turn = 0;
+	for (int i = 0; i < 300; ++i)
+	{
+		const double way = i < 200 ? 1 : -0.3;
+		puller.move(0.01 * way, 0.1 * way);
+		stretch += 0.01 * way / 480;
+		turn += 0.1 * way / 480;
+	}
+	double force = 0;
+	for (int k = 0; k < joint.getCapacity().m_fibres.size(); ++k)
+	{
+		const btElasticPlasticFibre& fibre = joint.getCapacity().m_fibres[k];
+		const btElasticPlasticFibreReading reading = joint.getFibre(k);
+		// The middle of the joint goes along with half of the turn.
+		EXPECT_NEAR(stretch - double(fibre.m_y) * turn, double(reading.m_elongation), 2e-5) << k;
+		EXPECT_NEAR(double(reading.m_elongation - reading.m_force / fibre.m_stiffness), double(reading.m_plastic), 1e-7)
+			<< k;
+		EXPECT_LE(reading.m_utilisation, btScalar(1.001));
+		force += double(reading.m_force);
+	}
+	expectClose(force, double(joint.getForce(BT_EP_AXIAL)), byPrecision(1e-9, 1e-4));
+	// The bar is the farthest and the less ductile.
+	ASSERT_GE(joint.getRulingFibre(), 0);
+	EXPECT_EQ(1, joint.getCapacity().m_fibres[joint.getRulingFibre()].m_part);
+	EXPECT_GT(joint.getFibre(joint.getRulingFibre()).m_damage, 0);
+	EXPECT_EQ(0, joint.getFibre(-1).m_elongation);
+	EXPECT_EQ(0, joint.getFibre(17).m_elongation);
 }
 }  // namespace

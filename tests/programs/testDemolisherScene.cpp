@@ -57,6 +57,7 @@ public:
 		return touches("table") ? int(m_value) : -1;
 	}
 	void plot(const char*, const Curve& curve) override { m_plotted = curve.values.size(); }
+	void figure(const Figure&) override {}
 
 	int m_touched = 0;
 	size_t m_plotted = 0;

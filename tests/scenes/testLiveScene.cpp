@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// What the mouse does to a scene that is looked at.
+// What the mouse does to a scene that is looked at, and what its panel shows of a section.
 
 #include "scenes/Scenes.h"
 #include "sceneview/LiveScene.h"
@@ -21,6 +21,64 @@ std::string mastIn(const TemporaryFolder& folder)
 		"events": [{"time": 2, "remove": "mast/4"}]})");
 }
 }  // namespace
+
+namespace
+{
+/// Keeps the figures of a panel.
+class Reader : public Panel
+{
+public:
+	bool section(const char*, bool) override { return true; }
+	void text(const std::string& line) override { lines.push_back(line); }
+	bool button(const char*) override { return false; }
+	void beside() override {}
+	bool check(const char*, bool&) override { return false; }
+	bool choice(const char*, size_t&, const std::vector<std::string>&) override { return false; }
+	bool slider(const char*, double&, double, double, const char*) override { return false; }
+	bool slider(const char*, int&, int, int) override { return false; }
+	void shares(const std::vector<Share>&, const char*) override {}
+	int table(const char*, const std::vector<std::string>&, const std::vector<Row>&, int) override { return -1; }
+	void plot(const char*, const Curve&) override {}
+	void figure(const Figure& figure) override { figures.push_back(figure); }
+
+	std::vector<std::string> lines;
+	std::vector<Figure> figures;
+};
+}  // namespace
+
+TEST(LiveScene, ShowsTheSectionThatYieldsFirst)
+{
+	// 0.01 m^2 of 200 MPa, with a bar, pulled by a force that grows by 4 MN in a second; M_pl = 200e6 * 0.1^3 / 4 without the bar, which is on the axis.
+	const TemporaryFolder folder;
+	LiveScene scene(folder.write("scene.json", R"({"version": 1, "world": {"gravity": [0, 0, 0]},
+		"materials": {"steel": {"yield_stress": 200e6}},
+		"bodies": [{"name": "box", "box": [1, 0.1, 0.1], "mass": 1e7, "at": [0.5, 0, 0]}],
+		"joints": [{"name": "j", "from": "world", "to": "box", "at": [0, 0, 0], "material": "steel",
+			"section": {"rectangle": [0.1, 0.1], "fibres": 16, "bars": [{"at": [0, 0], "area": 1e-4, "material": "steel"}]}}],
+		"loads": [{"on": "box", "force": [4e6, 0, 0], "over": [0, 0, 10, 10]}]})"));
+	Reader before, after;
+	scene.step(Controls());
+	scene.panel(1, before);
+	EXPECT_TRUE(before.figures.empty());
+	for (int i = 0; i < 60; ++i)
+		scene.step(Controls());
+	scene.panel(1, after);
+	ASSERT_EQ(after.figures.size(), 2u);
+	EXPECT_EQ(after.figures[0].squares.size(), 17u);
+	EXPECT_GT(after.figures[0].squares[0].colour.r, 2 * after.figures[0].squares[0].colour.b) << "pulled";
+	const Figure& forces = after.figures[1];
+	ASSERT_EQ(forces.lines.size(), 3u);
+	double most[2] = {};
+	for (const auto& [axial, moment] : forces.lines[1].points)
+	{
+		most[0] = std::max(most[0], double(axial));
+		most[1] = std::max(most[1], double(moment));
+	}
+	EXPECT_NEAR(most[0], 2.02e6, 2e3);
+	EXPECT_NEAR(most[1], 50e3, 50);
+	EXPECT_GT(forces.lines[2].points.size(), 10u);
+	EXPECT_NEAR(double(forces.lines[2].points.back().first), 2.02e6, 1e4);
+}
 
 TEST(LiveScene, MousePullsBodies)
 {

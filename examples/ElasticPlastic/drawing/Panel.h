@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "drawing/Drawing.h"
+#include "drawing/Figure.h"
 #include "text/Named.h"
 
 namespace ep
@@ -60,6 +61,8 @@ public:
 		double limit = 0;  ///< where it yields, to both sides; 0: nowhere
 	};
 	virtual void plot(const char* title, const Curve& curve) = 0;
+
+	virtual void figure(const Figure& figure) = 0;
 };
 
 /// A choice among named things, of which the value is one.

@@ -22,7 +22,8 @@ const size_t LONGEST_NAME = 13;   // of a joint there
 const size_t MOST_VALUES = 2000;  // of a plot
 
 /// Half of the values go when there are too many.
-void append(std::vector<float>& values, float value)
+template <class Value>
+void append(std::vector<Value>& values, const Value& value)
 {
 	if (values.size() >= MOST_VALUES)
 		values.erase(values.begin(), values.begin() + MOST_VALUES / 2);
@@ -58,7 +59,9 @@ void LiveScene::build(const SceneDescription& scene)
 	m_hand = std::make_unique<Hand>(m_simulation->world());
 	m_probes.assign(scene.probes.size(), {});
 	m_history.clear();
+	m_way.clear();
 	m_selected = -1;
+	m_numLookedAt = 0;
 	m_balls = 0;
 	measure();
 	record();
@@ -116,7 +119,24 @@ void LiveScene::record()
 	for (size_t i = 0; i < m_probes.size(); ++i)
 		append(m_probes[i], float(readProbe(*m_simulation, m_simulation->scene().probes[i])));
 	if (m_selected >= 0 && m_simulation->joint(m_selected))
+	{
 		append(m_history, float(readJoint(m_simulation->world(), *m_simulation->joint(m_selected)).utilisation));
+		append(m_way, SectionForces::of(*m_simulation->joint(m_selected)));
+	}
+	else
+		selectFirstToYield();
+}
+
+/// Until a person has chosen a joint, the first with fibres that yields is looked at.
+void LiveScene::selectFirstToYield()
+{
+	for (; m_numLookedAt < m_simulation->events().size() && m_selected < 0; ++m_numLookedAt)
+	{
+		const SceneEvent& event = m_simulation->events()[m_numLookedAt];
+		if (event.type == SceneEvent::Type::Yield && m_simulation->joint(event.index) &&
+			m_simulation->joint(event.index)->getCapacity().hasFibres())
+			select(event.index);
+	}
 }
 
 /// All but the ground, which is much larger than what moves.
@@ -218,8 +238,19 @@ void LiveScene::joints(Panel& panel)
 	if (m_selected >= 0)
 		panel.plot(("used: " + m_simulation->scene().joints[size_t(m_selected)].name).c_str(),
 				   {m_history, double(stepTime()), "", 1});
+	if (m_selected >= 0 && m_simulation->joint(m_selected) &&
+		m_simulation->joint(m_selected)->getCapacity().hasFibres())
+		section(panel);
 	if (m_simulation->numBroken() > 0 && panel.section("Broken", true))
 		broken(panel);
+}
+
+void LiveScene::section(Panel& panel)
+{
+	const btElasticPlasticJoint& joint = *m_simulation->joint(m_selected);
+	panel.text(describeRulingFibre(joint));
+	panel.figure(drawSection(joint));
+	panel.figure(drawForces(joint, m_way));
 }
 
 /// The last ones, the newest first.
@@ -248,6 +279,7 @@ void LiveScene::select(int joint)
 		return;
 	m_selected = joint;
 	m_history.clear();
+	m_way.clear();
 }
 
 /// The joint of the body that is nearest to where it is held is looked at.

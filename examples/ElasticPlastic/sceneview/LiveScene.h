@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "drawing/ViewedScene.h"
+#include "sceneview/SectionFigure.h"
 #include "simulation/Simulation.h"
 #include "world/Hand.h"
 
@@ -55,6 +56,8 @@ private:
 	void happenings(Panel& panel);
 	void joints(Panel& panel);
 	void broken(Panel& panel);
+	void section(Panel& panel);
+	void selectFirstToYield();
 	std::string shortName(int joint) const;
 	void select(int joint);
 
@@ -65,7 +68,9 @@ private:
 	std::vector<std::vector<float>> m_probes;  // of each, its values at all steps
 	Bounds m_bounds;                           // at the start
 	int m_untilLook = 0, m_selected = -1, m_balls = 0;
-	std::vector<float> m_history;  // utilisation of the selected joint
+	size_t m_numLookedAt = 0;          // of the simulation's events
+	std::vector<float> m_history;      // utilisation of the selected joint
+	std::vector<SectionForces> m_way;  // of its forces, if it has fibres
 };
 }  // namespace ep
 

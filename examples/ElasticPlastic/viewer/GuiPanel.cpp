@@ -12,6 +12,7 @@
 
 #include "viewer/Brush.h"
 #include "viewer/Chart.h"
+#include "viewer/DrawFigure.h"
 #include "viewer/Textures.h"
 
 namespace ep
@@ -184,5 +185,15 @@ void GuiPanel::plot(const char* title, const Curve& curve)
 	ImGui::Dummy(ImVec2(float(width), float(height)));
 	const brush::InPanel inPanel;
 	drawHistory(curve, {int(from.x), int(from.y), width, height});
+}
+
+void GuiPanel::figure(const Figure& figure)
+{
+	ImGui::TextUnformatted(figure.title.c_str());
+	const ImVec2 from = ImGui::GetCursorScreenPos();
+	const int width = int(ImGui::GetContentRegionAvail().x), height = int(8 * ImGui::GetFontSize());
+	ImGui::Dummy(ImVec2(float(width), float(height)));
+	const brush::InPanel inPanel;
+	drawFigure(figure, {int(from.x), int(from.y), width, height});
 }
 }  // namespace ep

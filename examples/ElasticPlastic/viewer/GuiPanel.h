@@ -38,6 +38,7 @@ public:
 	int table(const char* name, const std::vector<std::string>& titles, const std::vector<Row>& rows,
 			  int selected) override;
 	void plot(const char* title, const Curve& curve) override;
+	void figure(const Figure& figure) override;
 
 private:
 	bool m_isOpen;

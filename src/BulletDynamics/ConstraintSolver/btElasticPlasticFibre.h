@@ -79,4 +79,16 @@ struct btElasticPlasticFibreState
 	bool isTorn() const { return isRuptured() || m_isCracked; }  ///< bears no tension
 };
 
+/// What a fibre shows at the end of a step.
+struct btElasticPlasticFibreReading
+{
+	btScalar m_force = 0;  ///< tension is positive [N]
+	btScalar m_elongation =
+		0;                   ///< elastic and plastic, since it was without force; with the gap of one that is open [m]
+	btScalar m_plastic = 0;  ///< what of it would stay if the force went [m]
+	btScalar m_utilisation = 0;  ///< force over its present strength in the force's direction
+	btScalar m_damage = 0;       ///< share of its ductility that is spent; 1: it bears nothing
+	bool m_isCracked = false;    ///< bears pressure only
+};
+
 #endif  // BT_ELASTIC_PLASTIC_FIBRE_H

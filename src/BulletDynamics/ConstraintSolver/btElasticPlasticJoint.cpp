@@ -132,6 +132,28 @@ btScalar btElasticPlasticJoint::getDamage(int dof) const
 
 btScalar btElasticPlasticJoint::getDamage() const { return m_works->m_model.damage(); }
 
+btElasticPlasticFibreReading btElasticPlasticJoint::getFibre(int index) const
+{
+	return m_works->m_model.readFibre(index);
+}
+
+int btElasticPlasticJoint::getRulingFibre() const
+{
+	int ruling = -1;
+	btElasticPlasticFibreReading most;
+	for (int i = 0; i < getState().m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibreReading own = getFibre(i);
+		const bool isMore =
+			own.m_damage != most.m_damage ? own.m_damage > most.m_damage : own.m_utilisation > most.m_utilisation;
+		if (getState().m_fibres[i].isRuptured() || !isMore)
+			continue;
+		ruling = i;
+		most = own;
+	}
+	return ruling;
+}
+
 btScalar btElasticPlasticJoint::getQuantity(btElasticPlasticQuantity quantity) const
 {
 	const btScalar* const applied = getState().m_applied;

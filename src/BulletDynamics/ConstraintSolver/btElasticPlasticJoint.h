@@ -98,6 +98,13 @@ public:
 	/// together, with the share of the section's strength that is spent.
 	btScalar getDamage() const;
 
+	/// What a fibre shows, by its index in btElasticPlasticCapacity::m_fibres; zeros of one that there is not.
+	btElasticPlasticFibreReading getFibre(int index) const;
+
+	/// The fibre that rules: of those that bear, the one with the most damage or, while there is none, with the largest utilisation. -1: none
+	/// is loaded
+	int getRulingFibre() const;
+
 	/// Stored in the springs, f^2 / 2k [J]; of a broken joint: what it held when it broke, lost in the fracture.
 	double getElasticEnergy() const;
 

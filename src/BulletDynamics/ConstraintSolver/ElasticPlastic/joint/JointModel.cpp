@@ -367,6 +367,27 @@ btScalar JointModel::elasticElongation(const btElasticPlasticCapacity& capacity,
 	return elongation;
 }
 
+btElasticPlasticFibreReading JointModel::readFibre(int fibre) const
+{
+	btElasticPlasticFibreReading reading;
+	if (fibre < 0 || fibre >= m_state.m_fibres.size() || fibre >= m_capacity.m_fibres.size())
+		return reading;
+	const btElasticPlasticFibre& own = m_capacity.m_fibres[fibre];
+	const btElasticPlasticFibreState& state = m_state.m_fibres[fibre];
+	const FibreStrength strength = strengthOf(fibre);
+	const btScalar most = (state.m_force > 0 ? strength.m_tension : strength.m_compression) * (1 + state.m_rateShare);
+	const btScalar* const plastic = m_state.m_plastic;
+	reading.m_force = state.m_force;
+	reading.m_elongation = plastic[BT_EP_AXIAL] + m_state.m_fibreStrain[0] +
+						   own.m_z * (plastic[BT_EP_BENDING_Y] + m_state.m_fibreStrain[1]) -
+						   own.m_y * (plastic[BT_EP_BENDING_Z] + m_state.m_fibreStrain[2]);
+	reading.m_plastic = reading.m_elongation - elasticElongation(m_capacity, fibre);
+	reading.m_utilisation = state.m_force != 0 && most > 0 ? btFabs(state.m_force) / most : btScalar(0);
+	reading.m_damage = btMin(state.m_damage, btScalar(1));
+	reading.m_isCracked = state.m_isCracked;
+	return reading;
+}
+
 /// Fibres that stay keep their forces, new ones take theirs from the joint.
 void JointModel::takeFibres(const btElasticPlasticCapacity& before)
 {

@@ -99,6 +99,8 @@ struct JointModel
 	/// What fibres bear over what they could, 0 without fibres.
 	btScalar fibreUtilisation() const;
 
+	btElasticPlasticFibreReading readFibre(int fibre) const;
+
 	/// In the springs [J].
 	double elasticEnergy() const;
 
