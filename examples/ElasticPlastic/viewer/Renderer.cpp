@@ -4,6 +4,7 @@
 #include "viewer/Renderer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "viewer/Gl.h"
 #include "viewer/Shaders.h"
@@ -41,6 +42,9 @@ Renderer::~Renderer()
 {
 	glDeleteFramebuffers(1, &m_shadowFrame);
 	glDeleteTextures(1, &m_shadowMap);
+	glDeleteFramebuffers(1, &m_smallFrame);
+	glDeleteTextures(1, &m_small);
+	glDeleteRenderbuffers(1, &m_smallDepth);
 }
 
 void Renderer::drawShadowMap(const std::vector<Vertex>& mesh, const Matrix& sun)
@@ -51,7 +55,7 @@ void Renderer::drawShadowMap(const std::vector<Vertex>& mesh, const Matrix& sun)
 	m_shadow.use();
 	m_shadow.set("sunMatrix", sun);
 	m_shadow.draw(mesh);
-	glBindFramebuffer(GL_FRAMEBUFFER, 0);
+	glBindFramebuffer(GL_FRAMEBUFFER, m_target);
 }
 
 void Renderer::setLight(const Program& program, const Camera& camera, const Matrix& sun) const
@@ -63,7 +67,69 @@ void Renderer::setLight(const Program& program, const Camera& camera, const Matr
 	program.set("shadowMap", 0);
 }
 
-void Renderer::draw(const View& view, const Tile& tile)
+void Renderer::draw(const View& view, const Tile& tile, int divisor)
+{
+	const Tile small = {0, 0, std::max(1, tile.width / divisor), std::max(1, tile.height / divisor)};
+	if (divisor == 1)
+		return drawScene(view, tile);
+	prepareSmall(small);
+	m_target = m_smallFrame;
+	drawScene(view, small);
+	m_target = 0;
+	glBindFramebuffer(GL_FRAMEBUFFER, 0);
+	enlarge(tile);
+}
+
+/// For a picture of this size; what there is is kept as long as it has that.
+void Renderer::prepareSmall(const Tile& tile)
+{
+	if (!m_smallFrame)
+	{
+		glGenTextures(1, &m_small);
+		glGenRenderbuffers(1, &m_smallDepth);
+		glGenFramebuffers(1, &m_smallFrame);
+	}
+	if (tile.width == m_smallWidth && tile.height == m_smallHeight)
+		return;
+	m_smallWidth = tile.width;
+	m_smallHeight = tile.height;
+	glBindTexture(GL_TEXTURE_2D, m_small);
+	glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, tile.width, tile.height, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+	glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+	glBindRenderbuffer(GL_RENDERBUFFER, m_smallDepth);
+	glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, tile.width, tile.height);
+	glBindFramebuffer(GL_FRAMEBUFFER, m_smallFrame);
+	glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_small, 0);
+	glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_smallDepth);
+}
+
+/// The small picture over a tile of the window: a rectangle, as a window of several samples takes no picture of another size.
+void Renderer::enlarge(const Tile& tile)
+{
+	glViewport(tile.x, tile.y, tile.width, tile.height);
+	glDisable(GL_DEPTH_TEST);
+	glEnable(GL_TEXTURE_2D);
+	glBindTexture(GL_TEXTURE_2D, m_small);
+	glMatrixMode(GL_PROJECTION);
+	glLoadIdentity();
+	glMatrixMode(GL_MODELVIEW);
+	glLoadIdentity();
+	glColor3f(1, 1, 1);
+	glBegin(GL_TRIANGLE_FAN);
+	for (const auto& [x, y] : {std::pair(0.f, 0.f), std::pair(1.f, 0.f), std::pair(1.f, 1.f), std::pair(0.f, 1.f)})
+	{
+		glTexCoord2f(x, y);
+		glVertex2f(2 * x - 1, 2 * y - 1);
+	}
+	glEnd();
+	glBindTexture(GL_TEXTURE_2D, 0);
+	glDisable(GL_TEXTURE_2D);
+}
+
+void Renderer::drawScene(const View& view, const Tile& tile)
 {
 	const Camera& camera = view.camera;
 	const std::vector<Vertex> mesh = makeMesh(view.parts, view.skins);

@@ -75,7 +75,14 @@ void Session::frame()
 	else if (m_options.screenshot.empty())
 		simulate(seconds);
 	const double shown = films ? 1. / Recorder::PICTURES_PER_SECOND : seconds;
+	const Clock::time_point begin = Clock::now();
 	draw(shown);
+	// What is kept is drawn as finely as can be, however long it takes.
+	if (!isKept())
+	{
+		glFinish();
+		m_quality.drawn(std::chrono::duration<double>(Clock::now() - begin).count());
+	}
 	keepPicture(shown);
 	glutSwapBuffers();
 }
@@ -128,7 +135,8 @@ void Session::draw(double seconds)
 
 	glClear(GL_COLOR_BUFFER_BIT);
 	for (size_t i = 0; i < views.size(); ++i)
-		m_renderer->draw(m_camera.showsViews() ? fitted(views[i], layout.views[i]) : views[i], layout.views[i]);
+		m_renderer->draw(m_camera.showsViews() ? fitted(views[i], layout.views[i]) : views[i], layout.views[i],
+						 isKept() ? 1 : m_quality.divisor());
 	const std::string note = m_recorder && m_options.record.empty() ? "Recording" : m_paused ? "Paused" : "";
 	std::vector<std::string> help;
 	if (m_help)
@@ -192,7 +200,8 @@ std::vector<std::string> Session::help() const
 	for (const std::string& line : m_scene.keyHelp())
 		lines.push_back(line);
 	lines.push_back(std::string("Camera: ") + m_camera.name());
-	lines.push_back(std::to_string(int(m_frameRate + .5)) + " pictures a second");
+	lines.push_back(std::to_string(int(m_frameRate + .5)) + " pictures a second, " + m_quality.name() +
+					(m_quality.level() == Quality::FINE ? "" : ": drawing was slow"));
 	return lines;
 }
 
@@ -217,7 +226,9 @@ void Session::command(Keys::Command command)
 			m_help = !m_help;
 			break;
 		case Keys::SCREENSHOT:
-			save("screenshot-" + std::to_string(++m_screenshots) + ".png");
+			// Of the next picture, which is drawn for that.
+			if (m_wanted.empty())
+				m_wanted = "screenshot-" + std::to_string(++m_screenshots) + ".png";
 			break;
 		case Keys::RECORD:
 			if (m_recorder)

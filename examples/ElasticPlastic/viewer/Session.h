@@ -11,6 +11,7 @@
 #include "drawing/ViewedScene.h"
 #include "viewer/Gui.h"
 #include "viewer/Keys.h"
+#include "viewer/Quality.h"
 #include "viewer/Recorder.h"
 #include "viewer/Renderer.h"
 #include "viewer/UserCamera.h"
@@ -44,12 +45,15 @@ private:
 	void draw(double seconds);
 	Margins drawPanels(int width, int height);
 	void drawTime(Panel& panel);
+	/// Whether the picture is for a file.
+	bool isKept() const { return m_options.isFilmed() || m_recorder || !m_wanted.empty(); }
 	void keepPicture(double seconds);
 	void addToFilm();
 	void startFilm(const std::string& file);
 	void endFilm();
 	void command(Keys::Command command);
 	void save(const std::string& file);
+	void saveWanted();
 	std::vector<std::string> help() const;
 	ViewedScene::Ray mouseRay() const;
 	double tempo(double seconds);
@@ -61,6 +65,8 @@ private:
 	std::unique_ptr<Recorder> m_recorder;
 	UserCamera m_camera;
 	Keys m_keys;
+	Quality m_quality;
+	std::string m_wanted;  ///< file that the next picture is for, empty: none
 	Clock::time_point m_last;
 	double m_frameRate = 0;  ///< smoothed [1/s]
 	double m_stepRate = 0;   ///< of the scene, the same

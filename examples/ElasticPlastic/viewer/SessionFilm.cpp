@@ -17,10 +17,26 @@ void Session::save(const std::string& file)
 	std::fflush(stdout);
 }
 
+void Session::saveWanted()
+{
+	try
+	{
+		save(m_wanted);
+	}
+	catch (const std::exception& error)
+	{
+		// A picture that cannot be saved is no reason to stop driving.
+		std::fprintf(stderr, "%s\n", error.what());
+	}
+	m_wanted.clear();
+}
+
 /// For a film, and of the window as a whole.
 void Session::keepPicture(double seconds)
 {
 	m_filmTime += seconds;
+	if (!m_wanted.empty())
+		saveWanted();
 	if (m_recorder)
 		addToFilm();
 	if (!m_options.record.empty() && m_frames >= int(m_options.recordTime * Recorder::PICTURES_PER_SECOND + .5))
