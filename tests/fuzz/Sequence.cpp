@@ -358,7 +358,7 @@ void Sequence::changeJoint()
 									 m_chance.power(1e-3, 1e6));
 			break;
 		case 0:
-			joint->m_joint->setScheme(m_chance.oneIn(2) ? BT_EP_SCHEME_PAPER : BT_EP_SCHEME_IMPLICIT);
+			joint->m_joint->setScheme(btElasticPlasticScheme(m_chance.below(3)));
 			break;
 		case 1:
 			joint->m_joint->setReferenceToCurrentPose();

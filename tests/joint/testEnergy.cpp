@@ -194,7 +194,8 @@ TEST(Energy, SplitsIntoElasticPlasticAndNumerical)
 		// Float sums over 240 increments of the path against the double sum of energy.
 		EXPECT_NEAR(plastic, joint->getPlasticEnergy(), byPrecision(1e-9, 1e-5) * (1 + plastic));
 		EXPECT_NEAR(joint->getWork(),
-					joint->getElasticEnergy() + joint->getPlasticEnergy() + joint->getNumericalEnergy(),
+					joint->getElasticEnergy() + joint->getPlasticEnergy() + joint->getDampingEnergy() +
+						joint->getNumericalEnergy(),
 					1e-9 * (1 + fabs(joint->getWork())));
 	}
 }

@@ -501,13 +501,16 @@ TEST(HardInput, StatesThatCannotBe)
 	const std::function<void(State, btScalar)> anyNumber[] = {
 		[](State s, btScalar x) { s.m_force[2] = x; },
 		[](State s, btScalar x) { s.m_forceRate[5] = x; },
+		[](State s, btScalar x) { s.m_appliedBefore[5] = x; },
 		[](State s, btScalar x) { s.m_applied[0] = x; },
+		[](State s, btScalar x) { s.m_branch[1][4] = x; },
 		[](State s, btScalar x) { s.m_plastic[4] = x; },
 		[](State s, btScalar x) { s.m_plasticPath[3] = x; },
 		[](State s, btScalar x) { s.m_initial[1] = x; },
 		[](State s, btScalar x) { s.m_lastStep = x; },
 		[](State s, btScalar x) { s.m_work = double(x); },
 		[](State s, btScalar x) { s.m_plasticEnergy = double(x); },
+		[](State s, btScalar x) { s.m_dampingEnergy = double(x); },
 		[](State s, btScalar x) { s.m_plasticRotation.setX(x); },
 		[](State s, btScalar x) { s.m_plasticMiddle.setW(x); },
 	};
@@ -516,7 +519,7 @@ TEST(HardInput, StatesThatCannotBe)
 		for (btScalar x : {NOT_A_NUMBER, INFINITE, -INFINITE})
 			changes.push_back([&set, x](State s) { set(s, x); });
 	changes.push_back([](State s) { s.m_force[1] = btScalar(1e12); });
-	changes.push_back([](State s) { s.m_force[1] = -101; });
+	changes.push_back([](State s) { s.m_force[1] = -801; });
 	changes.push_back([](State s) { s.m_plasticPath[0] = -1; });
 	changes.push_back([](State s) { s.m_plasticEnergy = -1; });
 	changes.push_back([](State s) { s.m_lastStep = -1; });

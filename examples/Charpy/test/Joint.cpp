@@ -25,6 +25,7 @@ btElasticPlasticCapacity capacityOf(const Settings& s, const JointPlace& place)
 {
 	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(s.yieldStress));
 	steel.m_youngsModulus = btScalar(s.youngsModulus);
+	steel.m_dampingRatio = 0;  // as in the paper
 	const btElasticPlasticSection section =
 		btElasticPlasticSection::rectangle(btScalar(s.width), btScalar(place.height));
 	btElasticPlasticCapacity c =

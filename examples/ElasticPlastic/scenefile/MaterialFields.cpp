@@ -136,6 +136,7 @@ void materialFields(Fields& f, SceneDescription::Material& m)
 	f.scalar("density", law.m_density, {0, 1e6, true}, "kg/m^3", "of bodies made of it");
 	f.scalar("yield_stress", law.m_yieldStress, Range::above(0), "Pa", "in tension");
 	f.scalar("ultimate_plastic_strain", law.m_ultimatePlasticStrain, Range::above(0), "", "at which it tears");
+	f.scalar("damping_ratio", law.m_dampingRatio, {0, .1}, "", "of critical, of a structure's modes; 0: none");
 	f.scalar("load_bearing_share", law.m_loadBearingShare, {0, 1, true}, "",
 			 "part of a section that bears load, as the steel in concrete");
 	f.named("shear_yield", law.m_shearYield, shearYields(),

@@ -23,6 +23,7 @@ BlockUnderTension::BlockUnderTension(const Settings& s, std::unique_ptr<btConstr
 	btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
 		btElasticPlasticMaterial::reinforcedConcrete(s.steelShare), btElasticPlasticSection::rectangle(1, 1),
 		s.blockFirst ? block : support, s.blockFirst ? support : block);
+	capacity.m_damping = 0;  // as in the paper
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		capacity.m_ductility[i] = i == BT_EP_AXIAL ? s.ductility : btElasticPlasticCapacity::unlimited();
 	m_joint = s.blockFirst ? m_world.joint(*m_block, *m_support, m_top, capacity)

@@ -13,7 +13,8 @@ Cantilever::Settings Cantilever::Settings::twentyBlocks()
 	settings.length = 10;
 	settings.gravity = 10;
 	settings.member.parts = 20;
-	settings.member.material = btElasticPlasticMaterial::steel(btScalar(400e6));
+	settings.member.material = Member::undampedSteel();
+	settings.member.material.m_yieldStress = btScalar(400e6);
 	return settings;
 }
 

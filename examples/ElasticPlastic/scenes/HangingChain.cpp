@@ -14,7 +14,7 @@ btTransform downwards() { return btTransform(btQuaternion(btVector3(0, 0, 1), -S
 HangingChain::Settings::Settings()
 {
 	member.parts = 6;
-	member.material = btElasticPlasticMaterial::steel(btScalar(400e6));
+	member.material.m_yieldStress = btScalar(400e6);
 }
 
 HangingChain::HangingChain(const Settings& s)

@@ -18,9 +18,17 @@ struct Member
 	/// Of a joint between two parts of these lengths; 0: that side does not deform.
 	typedef std::function<btElasticPlasticCapacity(btScalar lengthA, btScalar lengthB)> CapacityOf;
 
+	/// Reference values know no damping.
+	static btElasticPlasticMaterial undampedSteel()
+	{
+		btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel();
+		steel.m_dampingRatio = 0;
+		return steel;
+	}
+
 	struct Settings
 	{
-		btElasticPlasticMaterial material = btElasticPlasticMaterial::steel();
+		btElasticPlasticMaterial material = undampedSteel();
 		btScalar width = btScalar(0.1);   ///< of the rectangular section, along the pose's z [m]
 		btScalar height = btScalar(0.1);  ///< along its y [m]
 		int parts = 10;

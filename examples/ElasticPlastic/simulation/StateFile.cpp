@@ -25,7 +25,7 @@ void forEachNumber(State& s, Act act)
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		for (auto* list :
-			 {&s.m_plastic, &s.m_force, &s.m_forceRate, &s.m_withheld, &s.m_applied, &s.m_plasticPath, &s.m_watched})
+			 {&s.m_plastic, &s.m_force, &s.m_forceRate, &s.m_withheld, &s.m_applied, &s.m_appliedBefore, &s.m_branch[0], &s.m_branch[1], &s.m_branch[2], &s.m_plasticPath, &s.m_watched})
 			act((*list)[i]);
 	for (auto& initial : s.m_initial)
 		act(initial);
@@ -33,6 +33,7 @@ void forEachNumber(State& s, Act act)
 	act(s.m_withheldStep);
 	act(s.m_work);
 	act(s.m_plasticEnergy);
+	act(s.m_dampingEnergy);
 	act(s.m_solvedExactly);
 	act(s.m_yielded);
 	act(s.m_broken);

@@ -21,6 +21,7 @@ JointReading read(const btElasticPlasticJoint& joint)
 	r.damage = double(joint.getDamage());
 	r.elasticEnergy = r.isBroken ? 0 : joint.getElasticEnergy();
 	r.plasticEnergy = joint.getPlasticEnergy();
+	r.dampingEnergy = joint.getDampingEnergy();
 	r.numericalEnergy = joint.getNumericalEnergy();
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{

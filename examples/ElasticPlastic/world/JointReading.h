@@ -16,10 +16,10 @@ struct JointReading
 	bool hasYielded = false, isBroken = false;
 	double utilisation = 0;
 	int limitingDof = 0;
-	double damage = 0;                                                 ///< share of the ductility that is spent
-	double elasticEnergy = 0, plasticEnergy = 0, numericalEnergy = 0;  ///< [J]
-	double force[BT_EP_DOF_COUNT] = {};                                ///< by the joint's axes [N], [N m]
-	double deformation[BT_EP_DOF_COUNT] = {};                          ///< elastic and plastic [m], [rad]
+	double damage = 0;  ///< share of the ductility that is spent
+	double elasticEnergy = 0, plasticEnergy = 0, dampingEnergy = 0, numericalEnergy = 0;  ///< [J]
+	double force[BT_EP_DOF_COUNT] = {};        ///< by the joint's axes [N], [N m]
+	double deformation[BT_EP_DOF_COUNT] = {};  ///< elastic and plastic [m], [rad]
 };
 
 JointReading readJoint(const World& world, const btElasticPlasticJoint& joint);

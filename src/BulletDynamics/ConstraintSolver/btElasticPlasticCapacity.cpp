@@ -46,7 +46,7 @@ btElasticPlasticCapacity::btElasticPlasticCapacity(btElasticPlasticOwnPrecision)
 {
 	m_rigidPlastic = 0;
 	m_coupling[0] = m_coupling[1] = 0;
-	m_length = 0;
+	m_length = m_damping = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		clear(i);
 }
@@ -113,7 +113,7 @@ btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlastic
 
 bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) const
 {
-	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length &&
+	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length && m_damping == other.m_damping &&
 				  m_fibres.size() == other.m_fibres.size();
 	isSame &= m_curvePoints.size() == other.m_curvePoints.size();
 	for (int i = 0; isSame && i < m_fibres.size(); ++i)
@@ -157,6 +157,8 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 	if (btElasticPlasticFault f = faultOfFibres())
 		return f;
 	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("length that bows [m]", m_length))
+		return f;
+	if (btElasticPlasticFault f = btElasticPlasticCheckDampingRatio(m_damping))
 		return f;
 	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z; ++i)
 		if (!btElasticPlasticIsFinite(double(m_coupling[planeOf(i)])) || !(btFabs(m_coupling[planeOf(i)]) < 1))
@@ -301,6 +303,7 @@ btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPla
 	}
 	c.m_length = l;
 	c.addFibres(material, section, l, gaugeLength > 0 ? gaugeLength : l);
+	c.m_damping = material.m_dampingRatio;
 	// Of the sign, see elasticMiddle().
 	const btScalar middle = (b - a) / 2;
 	for (int i = 0; i < 2; ++i)

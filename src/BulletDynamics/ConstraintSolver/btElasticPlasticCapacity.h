@@ -38,6 +38,8 @@ struct btElasticPlasticCapacity
 	/// the square of the elastic turn less than those of two straight parts, which counts where an axial force may buckle it. 0: it
 	/// does not.
 	btScalar m_length;
+	/// Damping ratio of the material: of all modes, see btElasticPlasticMaterial. 0 to 0.1; 0: none.
+	btScalar m_damping;
 	unsigned m_rigidPlastic;  ///< bit i: degree of freedom i does not spring, it only flows
 	/// Fibres of the section: axial force and bending moments then yield together, and m_yield in these three is only what each could
 	/// be by itself. None: they yield independently. They are for the direct form of btElasticPlasticConstraintSolver; others take the

@@ -38,3 +38,10 @@ btElasticPlasticFault btElasticPlasticCheckNotNegative(const char* quantity, btS
 		return btElasticPlasticFault();
 	return btElasticPlasticFault(quantity, value, "finite and not negative", dof);
 }
+
+btElasticPlasticFault btElasticPlasticCheckDampingRatio(btScalar value)
+{
+	if (btElasticPlasticIsFinite(value) && value >= 0 && value <= btScalar(0.1))
+		return btElasticPlasticFault();
+	return btElasticPlasticFault("damping ratio", value, "from 0 to 0.1");
+}

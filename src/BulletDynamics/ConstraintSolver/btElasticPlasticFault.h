@@ -63,4 +63,7 @@ btElasticPlasticFault btElasticPlasticCheckPositive(const char* quantity, btScal
 /// Fault for a value that is not a finite number of at least zero.
 btElasticPlasticFault btElasticPlasticCheckNotNegative(const char* quantity, btScalar value, int dof = -1);
 
+/// Fault for a damping ratio that is not from 0 to 0.1.
+btElasticPlasticFault btElasticPlasticCheckDampingRatio(btScalar value);
+
 #endif  // BT_ELASTIC_PLASTIC_FAULT_H

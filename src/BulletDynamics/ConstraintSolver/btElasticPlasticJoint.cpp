@@ -61,11 +61,13 @@ const btElasticPlasticCapacity& btElasticPlasticJoint::getCapacity() const { ret
 void btElasticPlasticJoint::setScheme(btElasticPlasticScheme scheme)
 {
 	m_works->m_model.m_isPaper = scheme == BT_EP_SCHEME_PAPER;
+	m_works->m_model.m_isByMode = scheme == BT_EP_SCHEME_BY_MODE;
 }
 
 btElasticPlasticScheme btElasticPlasticJoint::getScheme() const
 {
-	return m_works->m_model.m_isPaper ? BT_EP_SCHEME_PAPER : BT_EP_SCHEME_IMPLICIT;
+	const auto& model = m_works->m_model;
+	return model.m_isPaper ? BT_EP_SCHEME_PAPER : model.m_isByMode ? BT_EP_SCHEME_BY_MODE : BT_EP_SCHEME_IMPLICIT;
 }
 
 void btElasticPlasticJoint::setName(const char* name) { snprintf(m_name, sizeof m_name, "%s", name ? name : ""); }
@@ -115,7 +117,13 @@ btScalar read(const btScalar values[BT_EP_DOF_COUNT], int dof)
 }
 }  // namespace
 
-btScalar btElasticPlasticJoint::getForce(int dof) const { return read(getState().m_force, dof); }
+btScalar btElasticPlasticJoint::getForce(int dof) const
+{
+	const btScalar force = read(getState().m_force, dof);
+	return getCapacity().isElasticPlastic(dof)
+			   ? btMax(-getCapacity().m_yield[dof], btMin(getCapacity().m_yield[dof], force))
+			   : force;
+}
 btScalar btElasticPlasticJoint::getAppliedForce(int dof) const { return read(getState().m_applied, dof); }
 btScalar btElasticPlasticJoint::getPlasticDeformation(int dof) const { return read(getState().m_plastic, dof); }
 btScalar btElasticPlasticJoint::getPlasticPath(int dof) const { return read(getState().m_plasticPath, dof); }
@@ -206,9 +214,13 @@ btScalar btElasticPlasticJoint::getUtilisation(int* limitingDof) const
 double btElasticPlasticJoint::getElasticEnergy() const { return m_works->m_model.elasticEnergy(); }
 
 double btElasticPlasticJoint::getPlasticEnergy() const { return getState().m_plasticEnergy; }
+double btElasticPlasticJoint::getDampingEnergy() const { return getState().m_dampingEnergy; }
 double btElasticPlasticJoint::getWork() const { return getState().m_work; }
 
-double btElasticPlasticJoint::getNumericalEnergy() const { return getWork() - getPlasticEnergy() - getElasticEnergy(); }
+double btElasticPlasticJoint::getNumericalEnergy() const
+{
+	return getWork() - getPlasticEnergy() - getDampingEnergy() - getElasticEnergy();
+}
 
 int btElasticPlasticJoint::getNumCommittedRows() const { return m_works->m_step.getNumCommittedRows(); }
 

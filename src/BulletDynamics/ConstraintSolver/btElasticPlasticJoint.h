@@ -19,7 +19,10 @@ class JointWorks;
 enum btElasticPlasticScheme
 {
 	BT_EP_SCHEME_IMPLICIT,  ///< the default, see docs/theory.md
-	BT_EP_SCHEME_PAPER      ///< the paper's, as a baseline: wrong at many steps, see docs/theory.md
+	/// What the step does not resolve is damped by the frequency of a structure's mode, not by the stiffness of each row: swings and blows
+	/// keep their energy, however finely a member is divided. All joints of a structure should have it. See docs/theory.md.
+	BT_EP_SCHEME_BY_MODE,
+	BT_EP_SCHEME_PAPER  ///< the paper's, as a baseline: wrong at many steps, see docs/theory.md
 };
 
 /// The elastic-plastic part of a joint, shared by both constraint classes: what is set, and what is read.
@@ -111,7 +114,10 @@ public:
 	/// Dissipated by plastic flow [J].
 	double getPlasticEnergy() const;
 
-	/// Taken from the bodies by the joint in all, less elastic and plastic energy: what the time integration has dissipated [J].
+	/// Dissipated by the material's damping [J].
+	double getDampingEnergy() const;
+
+	/// Taken from the bodies by the joint in all, less elastic, plastic and damping energy: what the time integration has dissipated [J].
 	/// May be a little negative: plastic flow counts by the step's last velocity, work by its mean one.
 	double getNumericalEnergy() const;
 

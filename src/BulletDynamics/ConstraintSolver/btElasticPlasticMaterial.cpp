@@ -63,6 +63,8 @@ btElasticPlasticFault btElasticPlasticMaterial::fault() const
 		return f;
 	if (!btElasticPlasticIsFinite(double(m_rate.m_exponent)) || !(m_rate.m_exponent >= 1))
 		return btElasticPlasticFault("exponent of the rate of strain", m_rate.m_exponent, "finite, at least 1");
+	if (btElasticPlasticFault f = btElasticPlasticCheckDampingRatio(m_dampingRatio))
+		return f;
 	return faultOfHardening(*this);
 }
 
@@ -78,5 +80,6 @@ btElasticPlasticMaterial btElasticPlasticMaterial::reinforcedConcrete(btScalar s
 	btElasticPlasticMaterial m = steel(yieldStress);
 	m.m_density = 2000;
 	m.m_loadBearingShare = steelShare;
+	m.m_dampingRatio = btScalar(0.03);
 	return m;
 }

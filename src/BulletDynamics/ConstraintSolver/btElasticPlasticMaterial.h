@@ -74,6 +74,8 @@ struct btElasticPlasticMaterial
 	/// How much stronger it is when it flows fast. Only fibres know it.
 	btElasticPlasticRate m_rate;
 	btScalar m_loadBearingShare = btScalar(1);  ///< part of the section that carries load, > 0 and <= 1
+	/// Ratio of critical damping of a structure's modes, 0 (none) to 0.1. EN 1998-6, Annex B has 1 to 4 % for steel, 2 to 7 % for concrete.
+	btScalar m_dampingRatio = btScalar(0.01);
 	btElasticPlasticShearYield m_shearYield = BT_EP_TRESCA;
 
 	/// G = E / (2 (1 + nu))

@@ -19,6 +19,7 @@ struct Line
 	double m_tension;         ///< [MPa]
 	double m_ultimateStrain;  ///< plastic, in tension
 	double m_crushingStrain;  ///< plastic; 0: the same
+	double m_damping;         ///< [%] of critical
 };
 
 const char* const STEEL = "EN 1993-1-1, 3.2.6 and table 3.1; least elongation by EN 10025-2, table 7";
@@ -32,31 +33,31 @@ const char* const TIMBER = "EN 338:2009, C24";
 double crushing(double strength, double youngs) { return 0.0035 - strength / (1000 * youngs); }
 
 const Line TABLE[] = {
-	{"S235", STEEL, 210, 0.3, 7850, 235, 235, 0.26, 0},
-	{"S275", STEEL, 210, 0.3, 7850, 275, 275, 0.23, 0},
-	{"S355", STEEL, 210, 0.3, 7850, 355, 355, 0.22, 0},
-	{"S420", FINE_STEEL, 210, 0.3, 7850, 420, 420, 0.19, 0},
-	{"S460", FINE_STEEL, 210, 0.3, 7850, 460, 460, 0.17, 0},
-	{"A992", "ASTM A992: 50 ksi, 18 % in 8 in; AISC 360 for the modulus", 200, 0.3, 7850, 345, 345, 0.18, 0},
-	{"B500A", BARS, 200, 0.3, 7850, 500, 500, 0.025, 0},
-	{"B500B", BARS, 200, 0.3, 7850, 500, 500, 0.05, 0},
-	{"B500C", BARS, 200, 0.3, 7850, 500, 500, 0.075, 0},
-	{"C20/25", CONCRETE, 30, 0.2, 2400, 20, 0, 0.0035, crushing(20, 30)},
-	{"C25/30", CONCRETE, 31, 0.2, 2400, 25, 0, 0.0035, crushing(25, 31)},
-	{"C30/37", CONCRETE, 33, 0.2, 2400, 30, 0, 0.0035, crushing(30, 33)},
-	{"C35/45", CONCRETE, 34, 0.2, 2400, 35, 0, 0.0035, crushing(35, 34)},
-	{"C40/50", CONCRETE, 35, 0.2, 2400, 40, 0, 0.0035, crushing(40, 35)},
-	{"C45/55", CONCRETE, 36, 0.2, 2400, 45, 0, 0.0035, crushing(45, 36)},
-	{"C50/60", CONCRETE, 37, 0.2, 2400, 50, 0, 0.0035, crushing(50, 37)},
-	{"6061-T6", ALUMINIUM, 70, 0.3, 2700, 240, 240, 0.08, 0},
-	{"6082-T6", ALUMINIUM, 70, 0.3, 2700, 260, 260, 0.1, 0},
-	{"GJL-250", "EN 1561, annex A: typical values of EN-GJL-250", 110, 0.26, 7200, 840, 250, 0.003, 0.1},
-	{"C24 along", TIMBER, 11, 0.3, 420, 21, 14, 0.001, 0.01},
-	{"C24 across", TIMBER, 0.37, 0.3, 420, 2.5, 0.4, 0.001, 0.05},
+	{"S235", STEEL, 210, 0.3, 7850, 235, 235, 0.26, 0, 1},
+	{"S275", STEEL, 210, 0.3, 7850, 275, 275, 0.23, 0, 1},
+	{"S355", STEEL, 210, 0.3, 7850, 355, 355, 0.22, 0, 1},
+	{"S420", FINE_STEEL, 210, 0.3, 7850, 420, 420, 0.19, 0, 1},
+	{"S460", FINE_STEEL, 210, 0.3, 7850, 460, 460, 0.17, 0, 1},
+	{"A992", "ASTM A992: 50 ksi, 18 % in 8 in; AISC 360 for the modulus", 200, 0.3, 7850, 345, 345, 0.18, 0, 1},
+	{"B500A", BARS, 200, 0.3, 7850, 500, 500, 0.025, 0, 1},
+	{"B500B", BARS, 200, 0.3, 7850, 500, 500, 0.05, 0, 1},
+	{"B500C", BARS, 200, 0.3, 7850, 500, 500, 0.075, 0, 1},
+	{"C20/25", CONCRETE, 30, 0.2, 2400, 20, 0, 0.0035, crushing(20, 30), 3},
+	{"C25/30", CONCRETE, 31, 0.2, 2400, 25, 0, 0.0035, crushing(25, 31), 3},
+	{"C30/37", CONCRETE, 33, 0.2, 2400, 30, 0, 0.0035, crushing(30, 33), 3},
+	{"C35/45", CONCRETE, 34, 0.2, 2400, 35, 0, 0.0035, crushing(35, 34), 3},
+	{"C40/50", CONCRETE, 35, 0.2, 2400, 40, 0, 0.0035, crushing(40, 35), 3},
+	{"C45/55", CONCRETE, 36, 0.2, 2400, 45, 0, 0.0035, crushing(45, 36), 3},
+	{"C50/60", CONCRETE, 37, 0.2, 2400, 50, 0, 0.0035, crushing(50, 37), 3},
+	{"6061-T6", ALUMINIUM, 70, 0.3, 2700, 240, 240, 0.08, 0, 1},
+	{"6082-T6", ALUMINIUM, 70, 0.3, 2700, 260, 260, 0.1, 0, 1},
+	{"GJL-250", "EN 1561, annex A: typical values of EN-GJL-250", 110, 0.26, 7200, 840, 250, 0.003, 0.1, 1},
+	{"C24 along", TIMBER, 11, 0.3, 420, 21, 14, 0.001, 0.01, 4},
+	{"C24 across", TIMBER, 0.37, 0.3, 420, 2.5, 0.4, 0.001, 0.05, 4},
 	{"clay brick", "EN 1996-1-1, 3.6 to 3.8: f_k = 5 MPa, E = 1000 f_k, bond 0.1 MPa across bed joints", 5, 0.2, 1800,
-	 5, 0.1, 1e-4, crushing(5, 5)},
-	{"float glass", "EN 572-1: modulus, density, 45 MPa in bending", 70, 0.2, 2500, 45, 45, 1e-5, 0},
-	{"toughened glass", "EN 572-1; EN 12150-1: 120 MPa in bending", 70, 0.2, 2500, 120, 120, 1e-5, 0},
+	 5, 0.1, 1e-4, crushing(5, 5), 5},
+	{"float glass", "EN 572-1: modulus, density, 45 MPa in bending", 70, 0.2, 2500, 45, 45, 1e-5, 0, 1},
+	{"toughened glass", "EN 572-1; EN 12150-1: 120 MPa in bending", 70, 0.2, 2500, 120, 120, 1e-5, 0, 1},
 };
 const int COUNT = int(sizeof TABLE / sizeof TABLE[0]);
 
@@ -71,6 +72,7 @@ btElasticPlasticMaterial materialOf(const Line& line)
 	m.m_ultimatePlasticStrain = btScalar(line.m_ultimateStrain);
 	m.m_crushingStrain = btScalar(line.m_crushingStrain);
 	m.m_shearYield = BT_EP_VON_MISES;
+	m.m_dampingRatio = btScalar(line.m_damping / 100);
 	return m;
 }
 }  // namespace

@@ -14,23 +14,32 @@ struct btElasticPlasticState
 {
 	BT_DECLARE_ALIGNED_ALLOCATOR();
 
+	enum
+	{
+		BRANCHES = 3
+	};
+
 	btQuaternion m_plasticRotation = btQuaternion(0, 0, 0, 1);  ///< turn of the reference, in frame A
 	btQuaternion m_plasticMiddle =
-		btQuaternion(0, 0, 0, 1);  ///< the half of it that belongs to A: the unstrained mid frame, in frame A
-	btScalar m_plastic[6] = {};    ///< plastic deformation, signed sum of increments [m], [rad]
-	btScalar m_initial[3] = {};    ///< offset of the frames at which the joint is free of force [m], not plastic
-	btScalar m_lastStep = 0;       ///< [s]
-	btScalar m_force[6] = {};      ///< f_n [N], [N m]
-	btScalar m_forceRate[6] = {};  ///< (f_n - f_(n-1)) / dt [N/s], [N m/s]
-	btScalar m_withheld[6] = {};   ///< drift that shorter steps still have to take back [m], [rad]
-	btScalar m_withheldStep = 0;   ///< length of the step that left it [s]
-	bool m_solvedExactly = false;  ///< the last step, by a solver that knows which rows are at a bound
-	btScalar m_applied[6] = {};    ///< mean force that was applied in the last substep [N], [N m]
-	bool m_yielded = false;        ///< has flowed at least once
+		btQuaternion(0, 0, 0, 1);         ///< the half of it that belongs to A: the unstrained mid frame, in frame A
+	btScalar m_plastic[6] = {};           ///< plastic deformation, signed sum of increments [m], [rad]
+	btScalar m_initial[3] = {};           ///< offset of the frames at which the joint is free of force [m], not plastic
+	btScalar m_lastStep = 0;              ///< [s]
+	btScalar m_force[6] = {};             ///< of the springs, stiffness times elastic deformation [N], [N m]
+	btScalar m_branch[BRANCHES][6] = {};  ///< of the branches by which a material damps (MaterialDamping.h) [N], [N m]
+	btScalar m_forceRate[6] =
+		{};  ///< of springs and branches in the last step, their change over its length [N/s], [N m/s]
+	btScalar m_withheld[6] = {};       ///< drift that shorter steps still have to take back [m], [rad]
+	btScalar m_withheldStep = 0;       ///< length of the step that left it [s]
+	bool m_solvedExactly = false;      ///< the last step, by a solver that knows which rows are at a bound
+	btScalar m_applied[6] = {};        ///< mean force that was applied in the last substep [N], [N m]
+	btScalar m_appliedBefore[6] = {};  ///< in the one before it
+	bool m_yielded = false;            ///< has flowed at least once
 	bool m_broken = false;
 	// In double whatever Bullet's precision: sums over many steps.
 	double m_work = 0;               ///< taken from the bodies [J]
 	double m_plasticEnergy = 0;      ///< dissipated by plastic flow, force at yield times path [J]
+	double m_dampingEnergy = 0;      ///< dissipated by the material's damping [J]
 	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
 	btScalar m_watched[6] = {};      ///< deformation, elastic and plastic, when the load last changed [m], [rad]
 	unsigned m_passedLevels =
@@ -42,6 +51,14 @@ struct btElasticPlasticState
 	btAlignedObjectArray<btElasticPlasticFibreState> m_fibres;
 	btScalar m_fibreStrain[3] =
 		{};  ///< elastic elongation and turns about y and z at the end of the last step [m], [rad]
+
+	/// Makes a degree of freedom free of force.
+	void forget(int dof)
+	{
+		m_force[dof] = m_forceRate[dof] = m_applied[dof] = m_appliedBefore[dof] = m_withheld[dof] = 0;
+		for (btScalar* branch : m_branch)
+			branch[dof] = 0;
+	}
 
 	/// Linear offset of the reference, plastic and initial [m].
 	btVector3 offset() const

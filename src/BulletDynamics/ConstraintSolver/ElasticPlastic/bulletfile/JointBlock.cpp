@@ -62,6 +62,7 @@ void transfer(Archive& archive, JointBlock& block)
 	transfer(archive, block.m_state);
 	transfer(archive, block.m_levels);
 	archive(block.m_isPaper);
+	archive(block.m_isByMode);
 	transfer(archive, block.m_lastBounds);
 	transferNumbers(archive, block.m_lastFibreBounds);
 	archive(block.m_userType);
@@ -93,6 +94,7 @@ JointBlock JointBlock::of(const JointWorks& joint)
 	for (int q = 0; q < BT_EP_QUANTITY_COUNT; ++q)
 		block.m_levels[q] = joint.m_levels.get(btElasticPlasticQuantity(q));
 	block.m_isPaper = model.m_isPaper;
+	block.m_isByMode = model.m_isByMode;
 	std::copy_n(joint.m_step.getLastBounds(), int(BT_EP_DOF_COUNT), block.m_lastBounds);
 	block.m_lastFibreBounds = joint.m_step.getLastFibreBounds();
 	block.m_userType = model.m_constraint.getUserConstraintType();
@@ -105,6 +107,7 @@ btElasticPlasticFault JointBlock::give(JointWorks& joint) const
 {
 	btElasticPlasticJoint& face = joint.m_joint;
 	joint.m_model.m_isPaper = m_isPaper;
+	joint.m_model.m_isByMode = m_isByMode;
 	if (!face.setCapacity(m_capacity))
 		return joint.m_model.m_fault;
 	if (const btElasticPlasticFault fault = joint.m_model.findStateFault(m_state))

@@ -24,7 +24,7 @@ struct JointBlock
 	btElasticPlasticCapacity m_capacity;
 	btElasticPlasticState m_state;
 	btScalar m_levels[BT_EP_QUANTITY_COUNT] = {};
-	bool m_isPaper = false;
+	bool m_isPaper = false, m_isByMode = false;
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};  ///< with which the next step's search begins, and those of fibres
 	std::vector<signed char> m_lastFibreBounds;
 	int m_userType = -1, m_userId = -1;

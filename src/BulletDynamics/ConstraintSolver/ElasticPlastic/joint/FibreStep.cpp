@@ -64,7 +64,7 @@ DofState FibreStep::stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) c
 	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[fibre];
 	const btScalar elongation =
 		strain[BT_EP_AXIAL] + own.m_z * strain[BT_EP_BENDING_Y] - own.m_y * strain[BT_EP_BENDING_Z] - state.m_offset;
-	return {own.m_stiffness, 0, elongation, state.m_force, state.m_forceRate, m_model.m_state.m_lastStep};
+	return {own.m_stiffness, 0, elongation, state.m_force, state.m_forceRate, {}};
 }
 
 DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const
@@ -76,7 +76,7 @@ DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUN
 			strain[dof],
 			state.m_force[dof],
 			state.m_forceRate[dof],
-			state.m_lastStep};
+			{}};
 }
 
 /// Compliance between a fibre and a shear: that between the shear and the bending in its plane, at the fibre's place.
@@ -209,7 +209,8 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	for (int shear = 0; shear < 2; ++shear)
 		if (m_shearRow[shear] >= 0)
 			btSetMax(a, capacity.m_stiffness[BT_EP_SHEAR_Y + shear] * rows.m_row[m_shearRow[shear]].m_diagonal);
-	const Newmark scheme(a * dt * dt, dt, m_model.m_state.m_lastStep);
+	a *= dt * dt;
+	const MeanForce scheme = MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
 	for (int i = 0; i < n; ++i)
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
@@ -218,7 +219,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
 		m_strength[i] = strengthInStep(i, s, motion);
 		JointRows::Fibre& row = m_rows[i];
-		row.m_soft = implicitRow(s, scheme, dt);
+		row.m_soft = implicitRow(s, scheme, a, dt);
 		row.m_soft.m_lower = holds ? dt * (known - scheme.m_alpha * m_strength[i].m_compression) : btScalar(0);
 		row.m_soft.m_upper = holds ? dt * (known + scheme.m_alpha * m_strength[i].m_tension) : btScalar(0);
 		row.m_y = fibre.m_y;
@@ -227,7 +228,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		row.m_coupling[0] = row.m_coupling[1] = 0;
 	}
 	if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
-		couple(strain, scheme, rows);
+		couple(strain, scheme, a, rows);
 	rows.m_fibres = n > 0 ? &m_rows[0] : nullptr;
 	rows.m_numFibres = n;
 	rows.m_fibreDiagonal = diagonal;
@@ -236,7 +237,8 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 }
 
 /// As coupledRows() of Law.h, for all fibres and both shears.
-void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const Newmark& scheme, JointRows& rows)
+void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a,
+					   JointRows& rows)
 {
 	for (int shear = 0; shear < 2; ++shear)
 	{
@@ -245,7 +247,7 @@ void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const Newmark& sc
 		const DofState s = stateOfShear(shear, strain);
 		const btScalar known = scheme.known(s, m_dt);
 		SoftRow& soft = rows.m_row[m_shearRow[shear]].m_soft;
-		soft = implicitRow(s, scheme, m_dt);
+		soft = implicitRow(s, scheme, a, m_dt);
 		for (int i = 0; i < m_rows.size(); ++i)
 		{
 			const btScalar coupling = btScalar(couplingOf(i, shear)) / (scheme.m_alpha * m_dt);

@@ -92,7 +92,7 @@ private:
 	DofState stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	double couplingOf(int fibre, int shear) const;
 	void findCoupledRows(const JointRows& rows);
-	void couple(const btScalar strain[BT_EP_DOF_COUNT], const Newmark& scheme, JointRows& rows);
+	void couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a, JointRows& rows);
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
 	void mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
 	void mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);

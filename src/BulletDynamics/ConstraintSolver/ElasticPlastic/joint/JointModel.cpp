@@ -7,6 +7,7 @@
 
 #include "BodyGate.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "MaterialDamping.h"
 
 namespace btElasticPlastic
 {
@@ -128,6 +129,8 @@ btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
 	} arrays[] = {{"the state's force", state.m_force, BT_EP_DOF_COUNT},
 				  {"the state's rate of force", state.m_forceRate, BT_EP_DOF_COUNT},
 				  {"the state's applied force", state.m_applied, BT_EP_DOF_COUNT},
+				  {"the state's applied force of the step before", state.m_appliedBefore, BT_EP_DOF_COUNT},
+				  {"the state's damping force", state.m_branch[0], BT_EP_DOF_COUNT * btElasticPlasticState::BRANCHES},
 				  {"the state's plastic deformation", state.m_plastic, BT_EP_DOF_COUNT},
 				  {"the state's plastic path", state.m_plasticPath, BT_EP_DOF_COUNT},
 				  {"the state's withheld deformation", state.m_withheld, BT_EP_DOF_COUNT},
@@ -163,7 +166,10 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
 		// A force on the yield value may be rounded to either side of it. That of fibres is seen with them.
-		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * ROUNDED : btScalar(0);
+		// Where a mean force at yield follows one at yield to the other side, a spring is strained for a step to five times its yield
+		// value, and somewhat more where the material damps.
+		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * (m_isByMode || m_capacity.m_damping > 0 ? 8 : ROUNDED)
+												  : btScalar(0);
 		if (btFabs(state.m_force[i]) > most && !isOfFibres(i))
 			return btElasticPlasticFault("the state's force", state.m_force[i],
 										 "within the joint's yield value (0 where it is not elastic-plastic)", i);
@@ -174,6 +180,9 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 		return fault;
 	if (!btElasticPlasticIsFinite(state.m_plasticEnergy) || state.m_plasticEnergy < 0)
 		return btElasticPlasticFault("the state's plastic energy [J]", btScalar(state.m_plasticEnergy),
+									 "finite and not negative");
+	if (!btElasticPlasticIsFinite(state.m_dampingEnergy) || state.m_dampingEnergy < 0)
+		return btElasticPlasticFault("the state's damping energy [J]", btScalar(state.m_dampingEnergy),
 									 "finite and not negative");
 	const btElasticPlasticFault fault = btElasticPlasticCheckNotNegative("the state's last step [s]", state.m_lastStep);
 	return fault ? fault : btElasticPlasticCheckNotNegative("the state's withheld step [s]", state.m_withheldStep);
@@ -214,7 +223,7 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
 		if (m_capacity.isElasticPlastic(i))
 			m_dofs |= 1u << i;
 		else
-			m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = m_state.m_withheld[i] = 0;
+			m_state.forget(i);
 	takeFibres(former);
 	if (m_hasReference)
 	{
@@ -300,7 +309,7 @@ void JointModel::setReferenceToCurrentPose()
 		m_state.m_plasticMiddle = rotation.m_middle;
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		m_state.m_force[i] = m_state.m_applied[i] = m_state.m_forceRate[i] = m_state.m_withheld[i] = 0;
+		m_state.forget(i);
 	m_state.m_fibres.resize(m_capacity.m_fibres.size());
 	for (int i = 0; i < m_state.m_fibres.size(); ++i)
 		m_state.m_fibres[i].m_force = m_state.m_fibres[i].m_forceRate = m_state.m_fibres[i].m_offset = 0;
@@ -438,11 +447,17 @@ btScalar JointModel::fibreUtilisation() const
 
 double JointModel::elasticEnergy() const
 {
+	const MaterialDamping damping(m_capacity.m_damping, 1);
 	double energy = 0;
 	const bool areFibres = usesFibres() && m_state.m_fibres.size() > 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
 		if (!(areFibres && isOfFibres(i)))
 			energy += 0.5 * double(m_state.m_force[i]) * double(elasticDeformation(i));
+		for (int b = 0; b < MaterialDamping::BRANCHES && !damping.isNone(); ++b)
+			energy += 0.5 * double(m_state.m_branch[b][i]) *
+					  double(elasticDeformation(m_capacity, m_state.m_branch[b], i)) / double(damping.getGain(b));
+	}
 	if (!areFibres)
 		return energy;
 	for (int i = 0; i < m_state.m_fibres.size(); ++i)

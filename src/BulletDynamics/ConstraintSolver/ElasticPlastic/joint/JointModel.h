@@ -19,6 +19,7 @@ struct JointModel
 	const btTransform& m_frameInB;
 	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
 	bool m_isPaper = false;
+	bool m_isByMode = false;
 	bool m_hasReference = false;  ///< has had a valid capacity
 	btElasticPlasticFault m_fault;
 	btElasticPlasticState m_state;
@@ -78,10 +79,18 @@ struct JointModel
 	{
 		if (m_state.m_solvedExactly && !m_isPaper && hasFibreStrain(capacity, dof))
 			return m_state.m_fibreStrain[dof == BT_EP_AXIAL ? 0 : dof - BT_EP_TORSION];
-		if (m_state.m_solvedExactly && !m_isPaper)
-			return capacity.elasticDeformation(m_state.m_force, dof);
-		return capacity.m_stiffness[dof] > 0 ? m_state.m_force[dof] / capacity.m_stiffness[dof] : btScalar(0);
+		return elasticDeformation(capacity, m_state.m_force, dof);
 	}
+	btScalar elasticDeformation(const btElasticPlasticCapacity& capacity, const btScalar force[BT_EP_DOF_COUNT],
+								int dof) const
+	{
+		if (m_state.m_solvedExactly && !m_isPaper)
+			return capacity.elasticDeformation(force, dof);
+		return capacity.m_stiffness[dof] > 0 ? force[dof] / capacity.m_stiffness[dof] : btScalar(0);
+	}
+
+	/// In the springs, and in those by which the material damps [J].
+	double elasticEnergy() const;
 
 	/// Share of the ductility that is spent, the sum over the degrees of freedom (Miner's rule), with fibres of the section as one.
 	btScalar damage() const
@@ -100,9 +109,6 @@ struct JointModel
 	btScalar fibreUtilisation() const;
 
 	btElasticPlasticFibreReading readFibre(int fibre) const;
-
-	/// In the springs [J].
-	double elasticEnergy() const;
 
 	/// Whether fibres stand for the axial force and the bending moments, for a solver that knows them.
 	bool usesFibres() const { return m_capacity.hasFibres() && !m_isPaper && !m_fault; }

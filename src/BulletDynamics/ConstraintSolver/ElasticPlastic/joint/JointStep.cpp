@@ -87,6 +87,10 @@ bool JointStep::evaluate(btScalar dt)
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
+	// Fibres are not damped.
+	const btScalar damping = m_usesFibres ? btScalar(0) : m_model.m_capacity.m_damping;
+	if (!m_damping.isFor(damping, dt))
+		m_damping = MaterialDamping(damping, dt);
 	takeBackKinematicMotion();
 	withholdDrift();
 	return true;
@@ -121,8 +125,21 @@ void JointStep::withholdDrift()
 
 DofState JointStep::dofState(int dof) const
 {
-	return {m_model.m_capacity.m_stiffness[dof], m_model.m_capacity.m_yield[dof],  m_kinematics.m_strain[dof],
-			m_model.m_state.m_force[dof],        m_model.m_state.m_forceRate[dof], m_model.m_state.m_lastStep};
+	const btElasticPlasticState& state = m_model.m_state;
+	DofState s = {m_model.m_capacity.m_stiffness[dof],
+				  m_model.m_capacity.m_yield[dof],
+				  m_kinematics.m_strain[dof],
+				  state.m_force[dof],
+				  state.m_forceRate[dof],
+				  {state.m_applied[dof], state.m_appliedBefore[dof]}};
+	if (!m_damping.isNone())
+	{
+		for (const btScalar* branch : state.m_branch)
+			s.m_force += branch[dof];
+		s.m_stiffening = m_damping.getStiffening();
+		s.m_carried = m_damping.carried(state.m_branch, dof, state.m_force[dof]);
+	}
+	return s;
 }
 
 PaperLaw JointStep::paperLaw(int dof) const
@@ -147,8 +164,13 @@ SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForSto
 		soft = rigidRow(s.m_yield, s.m_strain, erp, m_dt);
 	else if (m_model.m_isPaper)
 		soft = paperLaw(dof).row(s, m_dt);
+	else if (isForStock)
+		soft = stockRow(s, diagonal, m_dt);
 	else
-		soft = ImplicitLaw().row(s, diagonal, m_dt, isForStock);
+	{
+		const btScalar a = s.m_stiffness * m_dt * m_dt * diagonal;
+		soft = implicitRow(s, meanForce(a), a, m_dt);
+	}
 	row.m_isForStock = isForStock;
 	row.m_lower = soft.m_lower;
 	row.m_upper = soft.m_upper;
@@ -169,9 +191,11 @@ void JointStep::couple(JointRows& rows)
 			++partner;
 		const int pair[2] = {r, partner};
 		const DofState states[2] = {dofState(dof), dofState(other)};
-		const btScalar diagonal[2] = {rows.m_row[r].m_diagonal, rows.m_row[partner].m_diagonal};
+		const btScalar step = m_dt * m_dt, a[2] = {states[0].m_stiffness * rows.m_row[r].m_diagonal * step,
+												   states[1].m_stiffness * rows.m_row[partner].m_diagonal * step};
 		SoftRow soft[2];
-		const btScalar between = coupledRows(states, diagonal, coupling, m_dt, soft);
+		// Of one scheme, by row that of the stiffer one.
+		const btScalar between = coupledRows(states, meanForce(btMax(a[0], a[1])), a, coupling, m_dt, soft);
 		for (int i = 0; i < 2; ++i)
 		{
 			Row& row = m_row[pair[i]];
@@ -273,19 +297,19 @@ ReturnMapping JointStep::returnMap(int r) const
 	const btScalar coupling = row.m_partner >= 0 ? m_model.m_capacity.couplingCompliance(row.m_dof) : btScalar(0);
 	if (coupling != 0)
 	{
-		const RowOutcome partner = outcomeOf(row.m_partner);
 		const DofState states[2] = {s, dofState(m_row[row.m_partner].m_dof)};
-		const btScalar trials[2] = {outcome.m_trial, partner.m_trial};
-		const signed char bounds[2] = {outcome.m_bound, partner.m_bound};
+		const RowOutcome outcomes[2] = {outcome, outcomeOf(row.m_partner)};
 		ReturnMapping mapped[2];
-		returnMapCoupled(states, coupling, trials, bounds, mapped);
+		returnMapCoupled(states, meanForce(0), coupling, outcomes, m_dt, mapped);
 		return mapped[0];
 	}
 	if (m_model.m_capacity.isRigidPlastic(row.m_dof))
-		return rigidReturnMap(outcome.m_impulse, outcome.m_trial, outcome.isAtBound(s.m_yield * m_dt), m_dt);
+		return rigidReturnMap(outcome.m_impulse, outcome.m_trial, outcome.isAtBound(outcome.side(), s.m_yield * m_dt),
+							  m_dt);
 	if (m_model.m_isPaper)
 		return paperLaw(row.m_dof).returnMap(s, outcome, m_dt);
-	return ImplicitLaw().returnMap(s, outcome, m_dt);
+	return row.m_isForStock ? stockReturnMap(s, outcome, m_dt)
+							: btElasticPlastic::returnMap(s, meanForce(0), outcome, m_dt);
 }
 
 /// What a search that has been cut leaves: a force that is less than the deformation's. The deformation beyond it is plastic where the
@@ -421,6 +445,47 @@ bool JointStep::isUsable(double work) const
 	return btElasticPlasticIsFinite(sum);
 }
 
+/// Elastic deformation of the r-th row by forces of its joint, coupled as in this step.
+btScalar JointStep::deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) const
+{
+	const Row& row = m_row[r];
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	const btScalar own = force[row.m_dof] / capacity.m_stiffness[row.m_dof];
+	return row.m_partner < 0 ? own : own + capacity.couplingCompliance(row.m_dof) * force[m_row[row.m_partner].m_dof];
+}
+
+/// Ends the step of the branches by which the material damps, and books what they have dissipated.
+/// \param change  of the springs' forces in the step
+void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT])
+{
+	btElasticPlasticState& state = m_model.m_state;
+	if (m_damping.isNone() || m_row[0].m_isForStock || m_model.m_isPaper)
+	{
+		for (auto& branch : state.m_branch)
+			for (btScalar& q : branch)
+				q = 0;
+		return;
+	}
+	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
+	{
+		btScalar *const q = state.m_branch[b], before[BT_EP_DOF_COUNT], sum[BT_EP_DOF_COUNT];
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		{
+			before[i] = q[i];
+			q[i] = m_model.m_capacity.isRigidPlastic(i) ? btScalar(0) : m_damping.next(b, q[i], change[i]);
+			sum[i] = before[i] + q[i];
+			state.m_forceRate[i] += (q[i] - before[i]) / m_dt;
+		}
+		double squares = 0;  // q0^2 + q0 q1 + q1^2, over k
+		for (int r = 0; r < m_numRows; ++r)
+			if (!m_model.m_capacity.isRigidPlastic(m_row[r].m_dof))
+				squares += double(before[m_row[r].m_dof]) * double(deformation(r, sum)) +
+						   double(q[m_row[r].m_dof]) * double(deformation(r, q));
+		if (squares > 0)
+			state.m_dampingEnergy += squares * double(m_damping.getLoss(b)) / 3;
+	}
+}
+
 int JointStep::commit()
 {
 	m_numCommittedRows = m_numRows;
@@ -432,7 +497,8 @@ int JointStep::commit()
 	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
 	const btVector3 linear =
 		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
-	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {}, unloaded[BT_EP_DOF_COUNT] = {};
+	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {}, unloaded[BT_EP_DOF_COUNT] = {},
+										 change[BT_EP_DOF_COUNT] = {};
 	project(linear, wA - wB, velocity1);
 	btElasticPlasticState& state = m_model.m_state;
 	const double work = state.m_work - 0.5 * twiceWork(velocity1, wA - wB);
@@ -466,8 +532,10 @@ int JointStep::commit()
 		Row& row = m_row[r];
 		const int i = row.m_dof;
 		const ReturnMapping& mapped = mappedRows[r];
-		state.m_forceRate[i] = (mapped.m_force - state.m_force[i]) * rate;
+		change[i] = mapped.m_force - state.m_force[i];
+		state.m_forceRate[i] = change[i] * rate;
 		state.m_force[i] = mapped.m_force;
+		state.m_appliedBefore[i] = state.m_applied[i];
 		state.m_applied[i] = row.m_impulse * rate;
 		unloaded[i] = mapped.m_unloaded - (m_hasRecovery ? m_dt * m_recovery[i] : btScalar(0));
 		if (mapped.m_increment == 0)
@@ -481,6 +549,7 @@ int JointStep::commit()
 		state.m_plasticEnergy += force * fabs(double(increment[i]));
 		flowed = true;
 	}
+	damp(change);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		state.m_withheld[i] = m_withheld[i];
 	state.m_withheldStep = m_withheldStep;

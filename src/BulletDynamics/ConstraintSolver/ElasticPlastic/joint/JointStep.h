@@ -7,6 +7,7 @@
 #include "FibreStep.h"
 #include "JointModel.h"
 #include "JointRows.h"
+#include "MaterialDamping.h"
 #include "PaperLaw.h"
 
 namespace btElasticPlastic
@@ -154,6 +155,13 @@ private:
 	int getNumPlainRows() const { return m_usesFibres ? m_numRows - 3 : m_numRows; }
 	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
 	bool isUsable(double work) const;
+	MeanForce meanForce(btScalar a) const
+	{
+		const btScalar last = m_model.m_state.m_lastStep;
+		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
+	}
+	btScalar deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) const;
+	void damp(const btScalar change[BT_EP_DOF_COUNT]);
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
 	JointModel& m_model;
@@ -166,6 +174,7 @@ private:
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step
+	MaterialDamping m_damping;
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];
 	signed char m_lastBound[BT_EP_DOF_COUNT] = {};

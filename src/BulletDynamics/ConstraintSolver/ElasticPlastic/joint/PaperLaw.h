@@ -31,7 +31,7 @@ struct PaperLaw
 	{
 		const bool flows =
 			btFabs(outcome.m_impulse) > btScalar(0.99999) * (s.m_yield * dt) && outcome.m_impulse * s.m_strain > 0;
-		return btElasticPlastic::returnMap(s.m_stiffness, s.m_yield, s.m_strain, flows);
+		return btElasticPlastic::returnMap(s, s.m_strain, flows);
 	}
 
 	/// A velocity constraint capped at the spring's force, so it only ever brakes; the first step from rest is free.

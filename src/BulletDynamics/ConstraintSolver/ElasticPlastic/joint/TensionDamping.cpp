@@ -98,7 +98,7 @@ TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, 
 	TensionDamping damping;
 	if (!((k.m_rA - k.m_rB).length2() > 0))
 		return damping;
-	const btScalar* const force = model.m_state.m_force;
+	const btScalar* const force = model.m_isByMode ? model.m_state.m_applied : model.m_state.m_force;
 	const btVector3 sum = k.m_axis[0] * force[0] + k.m_axis[1] * force[1] + k.m_axis[2] * force[2];
 	damping.addAcross(model, k, sum, dt);
 	damping.addAlong(model, k, sum, dt);

@@ -76,12 +76,15 @@ bool isPermutation(std::vector<int> numbers)
 
 bool isStateFinite(const btElasticPlasticState& state)
 {
-	double sum = state.m_work + state.m_plasticEnergy + double(state.m_lastStep) + double(state.m_withheldStep) +
+	double sum = state.m_work + state.m_plasticEnergy + state.m_dampingEnergy + double(state.m_lastStep) + double(state.m_withheldStep) +
 				 double(state.m_plasticRotation.length2()) + double(state.m_plasticMiddle.length2());
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		sum += double(state.m_plastic[dof]) + double(state.m_force[dof]) + double(state.m_forceRate[dof]) +
-			   double(state.m_withheld[dof]) + double(state.m_applied[dof]) + double(state.m_plasticPath[dof]) +
+			   double(state.m_withheld[dof]) + double(state.m_applied[dof]) + double(state.m_appliedBefore[dof]) + double(state.m_plasticPath[dof]) +
 			   double(state.m_watched[dof]) + double(dof < 3 ? state.m_initial[dof] + state.m_fibreStrain[dof] : 0);
+	for (const btScalar* branch : state.m_branch)
+		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+			sum += double(branch[dof]);
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 		sum += double(state.m_fibres[i].m_force) + double(state.m_fibres[i].m_forceRate) +
 			   double(state.m_fibres[i].m_offset) + double(state.m_fibres[i].m_damage) +
@@ -181,6 +184,7 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 		image.m_levels[q] = joint.m_levels.get(btElasticPlasticQuantity(q));
 	image.m_dofs = model.m_dofs;
 	image.m_isPaper = model.m_isPaper;
+	image.m_isByMode = model.m_isByMode;
 	image.m_hasReference = model.m_hasReference;
 	image.m_isEnabled = model.m_constraint.isEnabled();
 	std::copy_n(joint.m_step.getLastBounds(), int(BT_EP_DOF_COUNT), image.m_lastBounds);
@@ -540,6 +544,7 @@ void Snapshot::writeRegistry(const WorldImage& image)
 			joint.m_levels.set(btElasticPlasticQuantity(q), from.m_levels[q]);
 		joint.m_model.m_dofs = from.m_dofs;
 		joint.m_model.m_isPaper = from.m_isPaper;
+		joint.m_model.m_isByMode = from.m_isByMode;
 		joint.m_model.m_hasReference = from.m_hasReference;
 		joint.m_model.m_constraint.setEnabled(from.m_isEnabled);
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)

@@ -66,15 +66,19 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	transfer(archive, state.m_initial);
 	archive(state.m_lastStep);
 	transfer(archive, state.m_force);
+	for (auto& branch : state.m_branch)
+		transfer(archive, branch);
 	transfer(archive, state.m_forceRate);
 	transfer(archive, state.m_withheld);
 	archive(state.m_withheldStep);
 	archive(state.m_solvedExactly);
 	transfer(archive, state.m_applied);
+	transfer(archive, state.m_appliedBefore);
 	archive(state.m_yielded);
 	archive(state.m_broken);
 	archive(state.m_work);
 	archive(state.m_plasticEnergy);
+	archive(state.m_dampingEnergy);
 	transfer(archive, state.m_plasticPath);
 	transfer(archive, state.m_watched);
 	archive(state.m_passedLevels);
@@ -112,6 +116,7 @@ void transfer(Archive& archive, btElasticPlasticCapacity& capacity)
 	transfer(archive, capacity.m_ductility);
 	transfer(archive, capacity.m_coupling);
 	archive(capacity.m_length);
+	archive(capacity.m_damping);
 	archive(capacity.m_rigidPlastic);
 	transferList(archive, capacity.m_fibres);
 	transferList(archive, capacity.m_curvePoints);
@@ -125,7 +130,7 @@ struct JointImage
 	btElasticPlasticCapacity m_capacity;
 	btScalar m_levels[BT_EP_QUANTITY_COUNT] = {};
 	unsigned m_dofs = 0;
-	bool m_isPaper = false, m_hasReference = false, m_isEnabled = true;
+	bool m_isPaper = false, m_isByMode = false, m_hasReference = false, m_isEnabled = true;
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};
 	std::vector<signed char> m_lastFibreBounds;
 	int m_numUncommitted = 0, m_nextRequest = 0;
@@ -144,6 +149,7 @@ void transfer(Archive& archive, JointImage& image)
 	transfer(archive, image.m_levels);
 	archive(image.m_dofs);
 	archive(image.m_isPaper);
+	archive(image.m_isByMode);
 	archive(image.m_hasReference);
 	archive(image.m_isEnabled);
 	transfer(archive, image.m_lastBounds);
