@@ -183,6 +183,7 @@ class Joint(Thing):
 	damage = Reading(float, "Share of its ductility that is spent.")
 	elastic_energy = Reading(float, "[J]")
 	plastic_energy = Reading(float, "[J]")
+	damping_energy = Reading(float, "Taken up by the material's damping [J].")
 	force = Reading(as_array, "Forces [N] and moments [N m].")
 	deformation = Reading(as_array, "Elastic and plastic [m], [rad].")
 	plastic_deformation = Reading(as_array, "[m], [rad]")

@@ -100,6 +100,7 @@ py::dict jointOf(const ep::Run& run, int number)
 	reading["damage"] = r.damage;
 	reading["elastic_energy"] = r.elasticEnergy;
 	reading["plastic_energy"] = r.plasticEnergy;
+	reading["damping_energy"] = r.dampingEnergy;
 	reading["force"] = force;
 	reading["deformation"] = deformation;
 	reading["plastic_deformation"] = plastic;

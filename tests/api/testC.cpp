@@ -19,7 +19,7 @@ struct CInterface : testing::Test
 	btep_world* m_world = nullptr;
 	int m_wall = 0, m_block = 0;
 	btep_body_description m_cube = {sizeof m_cube, BTEP_BOX, {1, 1, 1}, 0, {0, 0, 0}, {0, 0, 0, 1}, 0.5};
-	btep_capacity m_capacity = {sizeof m_capacity, {}, {}, {}, {}, 0};
+	btep_capacity m_capacity = {sizeof m_capacity, {}, {}, {}, {}, 0, 0};
 
 	CInterface()
 	{
@@ -82,7 +82,7 @@ TEST_F(CInterface, RefusesWhatIsOutOfRange)
 	m_capacity.m_stiffness[0] = -1;
 	EXPECT_EQ(BTEP_BAD_VALUE, btep_joint_create(m_world, m_wall, m_block, ORIGIN, UPRIGHT, &m_capacity, &made));
 	expectMessage("stiffness");
-	btep_material steel = {sizeof steel, 200e9, 0.3, 0, 0.2};
+	btep_material steel = {sizeof steel, 200e9, 0.3, 0, 0.2, 0};
 	EXPECT_EQ(BTEP_BAD_VALUE, btep_capacity_of_member(m_world, &steel, 0.1, 0.1, 1, 1, &m_capacity));
 	expectMessage("yield stress");
 	// The world goes on.
@@ -97,7 +97,7 @@ TEST_F(CInterface, HoldsAndFrees)
 	ASSERT_EQ(BTEP_OK, btep_joint_create(m_world, m_wall, m_block, middle, UPRIGHT, &m_capacity, &second));
 	for (int i = 0; i < 60; ++i)
 		ASSERT_EQ(BTEP_OK, btep_world_step(m_world, 1. / 60));
-	btep_joint_state state = {sizeof state, {}, {}, 0, 0, 0, 0, 0};
+	btep_joint_state state = {sizeof state, {}, {}, 0, 0, 0, 0, 0, 0};
 	ASSERT_EQ(BTEP_OK, btep_joint_get_state(m_world, joint, &state));
 	// 100 N by two joints, along the joint's y axis; the sign is that of what acts on A.
 	EXPECT_NEAR(50, fabs(state.m_force[1]), 0.5);

@@ -76,7 +76,7 @@ public:
 			m_rounding = rounding();
 			m_held = 0;
 			for (const btElasticPlasticJoint* joint : m_world.joints())
-				m_held += joint->getElasticEnergy() + joint->getPlasticEnergy();
+				m_held += heldBy(*joint);
 		}
 		m_isBegun = true;
 		const double given = m_world.kineticEnergy() - m_kinetic;
@@ -116,8 +116,14 @@ private:
 	/// Of a joint, after a step.
 	struct Held
 	{
-		double m_force[BT_EP_DOF_COUNT] = {}, m_plastic = 0;
+		double m_force[BT_EP_DOF_COUNT] = {}, m_dissipated = 0;
 	};
+
+	/// What the joint stores and has dissipated [J].
+	static double heldBy(const btElasticPlasticJoint& joint)
+	{
+		return joint.getElasticEnergy() + joint.getPlasticEnergy() + joint.getDampingEnergy();
+	}
 
 	/// What the joint stored and had dissipated when the bodies had their present velocities, which is half a step before they
 	/// have their present places: by the means of before and after the step [J]. (For a spring that the step resolves that makes
@@ -128,11 +134,12 @@ private:
 		// The step may have been the last of several inner ones: then what has flowed in it is taken for an even share.
 		const double last = double(joint.getState().m_lastStep),
 					 steps = last > 0 ? std::max(1., std::round(m_dt / last)) : 1.;
-		double energy = joint.getPlasticEnergy() - (joint.getPlasticEnergy() - before.m_plastic) / (2 * steps);
-		before.m_plastic = joint.getPlasticEnergy();
+		const double dissipated = joint.getPlasticEnergy() + joint.getDampingEnergy();
+		double energy = dissipated - (dissipated - before.m_dissipated) / (2 * steps);
+		before.m_dissipated = dissipated;
 		// What was in the springs is lost with them.
 		if (joint.isBroken())
-			return before.m_plastic + joint.getElasticEnergy();
+			return before.m_dissipated + joint.getElasticEnergy();
 		const btElasticPlasticCapacity& c = joint.getCapacity();
 		double mean[BT_EP_DOF_COUNT];
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
@@ -172,7 +179,7 @@ private:
 		const double kinetic = m_world.kineticEnergy();
 		double held = 0, work = motorWork(dt);
 		for (const btElasticPlasticJoint* joint : m_world.joints())
-			held += joint->getElasticEnergy() + joint->getPlasticEnergy();
+			held += heldBy(*joint);
 		m_lift = 0;
 		for (size_t i = 0; i < m_loads.size(); ++i)
 		{

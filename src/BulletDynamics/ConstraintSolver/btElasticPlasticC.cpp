@@ -147,6 +147,7 @@ btElasticPlasticCapacity capacityOf(const btep_capacity& from)
 	for (int i = 0; i < 2; ++i)
 		capacity.m_coupling[i] = btScalar(from.m_coupling[i]);
 	capacity.m_length = btScalar(from.m_length);
+	capacity.m_damping = btScalar(from.m_damping);
 	return capacity;
 }
 }  // namespace
@@ -312,6 +313,7 @@ int btep_capacity_of_member(btep_world* world, const btep_material* material, do
 	m.m_poissonsRatio = btScalar(material->m_poissons_ratio);
 	m.m_yieldStress = btScalar(material->m_yield_stress);
 	m.m_ultimatePlasticStrain = btScalar(material->m_ultimate_plastic_strain);
+	m.m_dampingRatio = btScalar(material->m_damping_ratio);
 	const btElasticPlasticCapacity made =
 		btElasticPlasticCapacity::fromMember(m, btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)),
 											 btScalar(length_a), btScalar(length_b));
@@ -329,6 +331,7 @@ int btep_capacity_of_member(btep_world* world, const btep_material* material, do
 	for (int i = 0; i < 2; ++i)
 		capacity->m_coupling[i] = double(made.m_coupling[i]);
 	capacity->m_length = double(made.m_length);
+	capacity->m_damping = double(made.m_damping);
 	return BTEP_OK;
 }
 
@@ -399,6 +402,7 @@ int btep_joint_get_state(btep_world* world, int joint, btep_joint_state* state)
 	state->m_utilisation = double(found->getUtilisation());
 	state->m_damage = double(found->getDamage());
 	state->m_elastic_energy = found->getElasticEnergy();
+	state->m_damping_energy = found->getDampingEnergy();
 	state->m_plastic_energy = found->getPlasticEnergy();
 	state->m_is_broken = found->isBroken();
 	return BTEP_OK;

@@ -22,7 +22,7 @@ extern "C"
 #endif
 
 /* Of this header. A library serves all programs that were compiled with its own version or a lower one. */
-#define BTEP_VERSION 1
+#define BTEP_VERSION 2
 
 	typedef struct btep_world btep_world;
 
@@ -70,6 +70,7 @@ extern "C"
 		double m_ductility[6]; /* plastic deformation at which it breaks [m], [rad], > 0; 1e18 and more: never */
 		double m_coupling[2];  /* of shear and bending, as btep_capacity_of_member() finds it; 0 by hand */
 		double m_length;       /* of the member [m]; 0 by hand */
+		double m_damping;      /* damping ratio of the material, 0 (none) to 0.1 */
 	};
 
 	struct btep_material
@@ -79,6 +80,7 @@ extern "C"
 		double m_poissons_ratio;          /* > -1 and <= 0.5 */
 		double m_yield_stress;            /* [Pa], > 0 */
 		double m_ultimate_plastic_strain; /* > 0 */
+		double m_damping_ratio;           /* of critical, 0 (none) to 0.1; steel has 0.01, concrete 0.03 */
 	};
 
 	struct btep_joint_state
@@ -90,6 +92,7 @@ extern "C"
 		double m_damage;         /* 1 breaks */
 		double m_elastic_energy; /* [J] */
 		double m_plastic_energy; /* [J] */
+		double m_damping_energy; /* [J] */
 		int m_is_broken;
 	};
 
