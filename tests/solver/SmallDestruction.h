@@ -70,7 +70,7 @@ inline std::vector<SmallDestruction> smallDestructions()
 				 lattice.side = 4;
 				 lattice.build(s);
 			 },
-			 120, 1, 60, 450, 80, NONE},  // 866, 1384
+			 120, 1, 60, 500, 80, NONE},  // 866, 1384
 			{"free lattice",
 			 [](Stage& s)
 			 {

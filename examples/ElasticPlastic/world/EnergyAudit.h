@@ -144,7 +144,7 @@ private:
 		double mean[BT_EP_DOF_COUNT];
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		{
-			const double force = double(joint.getForce(dof));
+			const double force = double(joint.getState().m_force[dof]);
 			if (steps > 1)
 				before.m_force[dof] = force - double(joint.getState().m_forceRate[dof]) * last;
 			mean[dof] = (force + before.m_force[dof]) / 2;

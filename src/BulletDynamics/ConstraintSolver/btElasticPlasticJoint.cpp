@@ -119,10 +119,15 @@ btScalar read(const btScalar values[BT_EP_DOF_COUNT], int dof)
 
 btScalar btElasticPlasticJoint::getForce(int dof) const
 {
-	const btScalar force = read(getState().m_force, dof);
-	return getCapacity().isElasticPlastic(dof)
-			   ? btMax(-getCapacity().m_yield[dof], btMin(getCapacity().m_yield[dof], force))
-			   : force;
+	btScalar force = read(getState().m_force, dof);
+	for (const btScalar* branch : getState().m_branch)
+		force += read(branch, dof);
+	const btElasticPlasticCapacity& capacity = getCapacity();
+	// By mode, a spring may be strained beyond its yield value for a step, and fibres that harden have none.
+	if (!m_works->m_model.m_isByMode || !capacity.isElasticPlastic(dof) ||
+		(capacity.hasFibres() && btElasticPlasticCapacity::isOfFibres(dof)))
+		return force;
+	return btMax(-capacity.m_yield[dof], btMin(capacity.m_yield[dof], force));
 }
 btScalar btElasticPlasticJoint::getAppliedForce(int dof) const { return read(getState().m_applied, dof); }
 btScalar btElasticPlasticJoint::getPlasticDeformation(int dof) const { return read(getState().m_plastic, dof); }

@@ -64,7 +64,8 @@ public:
 
 	// ---- readings, all as of the last commit
 
-	/// Force or moment by the law, stiffness times elastic deformation within the yield value [N], [N m]. It acts on body A
+	/// Force or moment by the law, within the yield value [N], [N m]: stiffness times elastic deformation, and what the material's damping adds.
+	/// It acts on body A
 	/// along the joint's axis and on body B against it: positive axial force is tension. A solver that leaves an error
 	/// leaves elastic deformation that it has applied no force for: see getAppliedForce().
 	btScalar getForce(int dof) const;

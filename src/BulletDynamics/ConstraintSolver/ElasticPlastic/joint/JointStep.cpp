@@ -87,8 +87,8 @@ bool JointStep::evaluate(btScalar dt)
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
-	// Fibres are not damped.
-	const btScalar damping = m_usesFibres ? btScalar(0) : m_model.m_capacity.m_damping;
+	// Fibres are not damped, and neither are they by solvers that do not know them.
+	const btScalar damping = m_model.usesFibres() ? btScalar(0) : m_model.m_capacity.m_damping;
 	if (!m_damping.isFor(damping, dt))
 		m_damping = MaterialDamping(damping, dt);
 	takeBackKinematicMotion();
