@@ -327,6 +327,34 @@ TEST(InnerSteps, CostNoMoreThanTheyMay)
 	EXPECT_LT(innerSteps, 400);
 }
 
+TEST(InnerSteps, AnIslandThatGrowsCostsNoMoreThanItMay)
+{
+	// A struck cantilever takes many inner steps; then a member of 400 blocks is hung on its tip, with which each of them
+	// costs 16 times as much.
+	ParkesCantilever cantilever{ParkesCantilever::Settings()};
+	btElasticPlasticSolverSettings settings = solverOf(cantilever.m_world).getSettings();
+	settings.m_innerError = ERROR_ALLOWED;
+	settings.m_maxInnerWork = 1000000;
+	ASSERT_TRUE(solverOf(cantilever.m_world).setSettings(settings));
+	Member::Settings others;
+	others.parts = 400;
+	const Member grown(cantilever.m_world, others, at(5, 5), 40);
+	const auto step = [&]
+	{
+		solverOf(cantilever.m_world).resetStatistics();
+		cantilever.m_world.step(FRAME);
+		return statisticsOf(cantilever.m_world);
+	};
+	for (int i = 0; i < 2; ++i)
+		step();
+	EXPECT_GE(step().m_innerSteps, 16);
+	cantilever.m_world.add(new btFixedConstraint(
+		cantilever.m_member.last(), grown.first(), btTransform::getIdentity(),
+		grown.first().getCenterOfMassTransform().inverse() * cantilever.m_member.last().getCenterOfMassTransform()));
+	// One step more than may be taken shows that, at the next level there are as many as may be.
+	EXPECT_LT(step().m_work, 2 * settings.m_maxInnerWork);
+}
+
 /// A beam that is struck at its tip, beside 300 loose boxes on the ground.
 struct BeamBesideBoxes
 {

@@ -79,7 +79,7 @@ struct btElasticPlasticSolverSettings
 
 	/// The most work for the inner steps of an island in a step, in the unit of btElasticPlasticStatistics::m_work, > 0: a large
 	/// island takes fewer or none. It is bounded by m_maxWork, too. The default is a quarter of a frame.
-	long long m_maxInnerWork = 4000000;
+	long long m_maxInnerWork = 1500000;
 
 	/// The factor that a large island kept from the last step is used as long as so few iterations of conjugate gradients with it
 	/// are enough, >= 0; 0: never.

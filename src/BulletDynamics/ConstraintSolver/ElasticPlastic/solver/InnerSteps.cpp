@@ -137,11 +137,10 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 	btSetMin(level, task.m_maxLevel);
 	for (;;)
 	{
-		const double share = level == 0 ? solveWhole(task) : solveInner(task, level);
-		const int next = refine(task, level, share);
-		if (next == level)
+		const Attempt attempt = level == 0 ? solveWhole(task) : solveInner(task, level);
+		if (attempt.m_next == level)
 		{
-			remember(island, level, share, task.m_settings.m_innerError);
+			remember(island, level, attempt.m_open, task.m_settings.m_innerError);
 			return;
 		}
 		if (level == 0)
@@ -149,21 +148,21 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 				if (island.m_joints[i])
 					island.m_joints[i]->m_step.revert();
 		m_state.restore();
-		level = next;
+		level = attempt.m_next;
 	}
 }
 
-/// \return what the step has left open
-double InnerSteps::solveWhole(Task& task)
+InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 {
 	++task.m_numSolutions;
 	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
 	const double dt = task.m_info.m_timeStep;
-	return measure(task.m_island, dt, dt);
+	const double open = measure(task.m_island, dt, dt);
+	return {open, refine(task, 0, open)};
 }
 
-/// \return the most that an inner step has left open. If that is too much the step has been left in the middle
-double InnerSteps::solveInner(Task& task, int level)
+/// Leaves the step in the middle where it goes on at another level.
+InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 {
 	const SolverGroup& island = task.m_island;
 	const int steps = 1 << level;
@@ -176,7 +175,7 @@ double InnerSteps::solveInner(Task& task, int level)
 	m_state.saveJoints(island);
 	m_state.shiftFreeVelocities((dt - h) / 2);
 	m_impulses.scale(island, share);
-	double most = 0;
+	Attempt attempt = {0, level};
 	for (int k = 0; k < steps; ++k)
 	{
 		m_state.carry((k + 1) * h, h, leastSpeed);
@@ -184,8 +183,11 @@ double InnerSteps::solveInner(Task& task, int level)
 		++task.m_statistics.m_innerSteps;
 		const long long maxWork = task.m_settings.m_maxWork;
 		task.m_solution.solveStep(info, share, maxWork > 0 ? btMax((maxWork - task.getWork()) / (steps - k), 1ll) : 0);
-		most = btMax(most, measure(island, h, dt));
-		if (refine(task, level, most) > level)
+		btSetMax(attempt.m_open, measure(island, h, dt));
+		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
+		attempt.m_next =
+			2 * k < steps && isTooMuch(task, level) ? mostLevel(task, level) : refine(task, level, attempt.m_open);
+		if (attempt.m_next != level)
 			break;
 		m_state.move(h);
 		for (int i = 0; i < island.m_numConstraints; ++i)
@@ -198,7 +200,24 @@ double InnerSteps::solveInner(Task& task, int level)
 		}
 	}
 	m_impulses.restore();
-	return most;
+	return attempt;
+}
+
+/// The highest level up to one that the settings have the work for, by the mean of the solutions so far.
+int InnerSteps::mostLevel(const Task& task, int level) const
+{
+	long long most = task.m_settings.m_maxInnerWork;
+	if (task.m_settings.m_maxWork > 0)
+		most = btMin(most, task.m_settings.m_maxWork - task.getWork());
+	while (level > 0 && task.getMeanWork() << level > most)
+		--level;
+	return level;
+}
+
+/// Whether a level takes far more than there is for it: what was right for the last step is not, since more is joined or touches.
+bool InnerSteps::isTooMuch(const Task& task, int level) const
+{
+	return task.getMeanWork() << level > 2 * task.m_settings.m_maxInnerWork;
 }
 
 /// The level of inner steps that what a step has left open asks for, as far as the settings let it have it.
@@ -207,14 +226,8 @@ int InnerSteps::refine(Task& task, int level, double share) const
 	const double error = task.m_settings.m_innerError;
 	if (!(share > error))
 		return level;
-	int wanted = level + btMax(1, int(ceil(0.5 * log2(share / error))));
-	long long most = task.m_settings.m_maxInnerWork;
-	if (task.m_settings.m_maxWork > 0)
-		most = btMin(most, task.m_settings.m_maxWork - task.getWork());
-	btSetMin(wanted, task.m_maxLevel);
-	while (wanted > level && (task.getWork() / task.m_numSolutions) << wanted > most)
-		--wanted;
-	return wanted;
+	const int wanted = level + btMax(1, int(ceil(0.5 * log2(share / error))));
+	return btMax(level, mostLevel(task, btMin(wanted, task.m_maxLevel)));
 }
 
 /// An oscillation has moments at which a step leaves little open.

@@ -60,11 +60,21 @@ private:
 		int m_maxLevel;
 
 		long long getWork() const { return m_statistics.m_work - m_workBefore; }
+		long long getMeanWork() const { return getWork() / m_numSolutions; }
+	};
+
+	/// To solve the step at a level.
+	struct Attempt
+	{
+		double m_open;  ///< the most that a step of it has left open
+		int m_next;     ///< the level at which the island goes back and begins again; the same one: it is solved
 	};
 
 	void take(Task& task, const JointRegistry& registry);
-	double solveWhole(Task& task);
-	double solveInner(Task& task, int level);
+	Attempt solveWhole(Task& task);
+	Attempt solveInner(Task& task, int level);
+	int mostLevel(const Task& task, int level) const;
+	bool isTooMuch(const Task& task, int level) const;
 	int refine(Task& task, int level, double share) const;
 	void remember(const SolverGroup& island, int level, double share, double error) const;
 
