@@ -28,7 +28,6 @@ Json toJson(const JointRecord& record, const JointReading& r)
 			{"damage", r.damage},
 			{"elastic_energy_J", r.elasticEnergy},
 			{"plastic_energy_J", r.plasticEnergy},
-			{"damping_energy_J", r.dampingEnergy},
 			{"numerical_energy_J", r.numericalEnergy},
 			{"yield_time_s", timeOrNull(record.yieldTime)},
 			{"break_time_s", timeOrNull(record.breakTime)}};
@@ -45,7 +44,6 @@ Json toJson(const DemolisherSummary& s, const DemolisherSettings& settings)
 		{"joints_broken", s.broken},
 		{"plastic_energy_J", s.plasticEnergy},
 		{"elastic_energy_J", s.elasticEnergy},
-		{"damping_energy_J", s.dampingEnergy},
 		{"numerical_energy_J", s.numericalEnergy},
 		{"kinetic_energy_J", s.kineticEnergy},
 		{"bridge_sag_m", settings.has(Scene::Bridge) ? Json(s.sag) : Json(nullptr)},

@@ -147,7 +147,6 @@ DemolisherSummary Demolisher::summary() const
 		s.broken += joint.isBroken ? 1 : 0;
 		s.plasticEnergy += joint.plasticEnergy;
 		s.elasticEnergy += joint.elasticEnergy;
-		s.dampingEnergy += joint.dampingEnergy;
 		s.numericalEnergy += joint.numericalEnergy;
 	}
 	for (const auto& body : m_world.bodies())

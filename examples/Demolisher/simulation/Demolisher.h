@@ -16,7 +16,7 @@ namespace ep
 struct DemolisherSummary
 {
 	int joints = 0, yielded = 0, broken = 0;
-	double plasticEnergy = 0, elasticEnergy = 0, dampingEnergy = 0, numericalEnergy = 0, kineticEnergy = 0;  ///< [J]
+	double plasticEnergy = 0, elasticEnergy = 0, numericalEnergy = 0, kineticEnergy = 0;  ///< [J]
 	double sag = 0;                          ///< of the bridge's middle, 0 without [m]
 	btVector3 vehicle = btVector3(0, 0, 0);  ///< position of its centre [m]
 	double speed = 0;                        ///< forward [m/s]

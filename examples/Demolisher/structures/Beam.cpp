@@ -10,6 +10,7 @@ btElasticPlasticMaterial Materials::mixed(btScalar steelShare) const
 	btElasticPlasticMaterial m = btElasticPlasticMaterial::reinforcedConcrete(steelShare, yieldStress);
 	m.m_density = concreteDensity * (1 - steelShare) + steelDensity * steelShare;
 	m.m_ultimatePlasticStrain = ductility;
+	m.m_dampingRatio = 0;  // as in the paper
 	return m;
 }
 

@@ -65,7 +65,6 @@ void DemolisherScene::dashboard(Panel& panel)
 		{{"kinetic", {.05f, .25f, .55f}, s.kineticEnergy / 1000, "of all bodies, the vehicle's too"},
 		 {"elastic", {.05f, .45f, .10f}, s.elasticEnergy / 1000, "stored in joints: given back when they are unloaded"},
 		 {"plastic", {.75f, .30f, .01f}, s.plasticEnergy / 1000, "spent on bending joints for good"},
-		 {"damping", {.45f, .20f, .45f}, s.dampingEnergy / 1000, "taken up by the material's internal damping"},
 		 {"numerical",
 		  {.35f, .35f, .35f},
 		  s.numericalEnergy / 1000,

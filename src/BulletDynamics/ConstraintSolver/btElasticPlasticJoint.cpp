@@ -123,9 +123,9 @@ btScalar btElasticPlasticJoint::getForce(int dof) const
 	for (const btScalar* branch : getState().m_branch)
 		force += read(branch, dof);
 	const btElasticPlasticCapacity& capacity = getCapacity();
-	// By mode, a spring may be strained beyond its yield value for a step, and fibres that harden have none.
-	if (!m_works->m_model.m_isByMode || !capacity.isElasticPlastic(dof) ||
-		(capacity.hasFibres() && btElasticPlasticCapacity::isOfFibres(dof)))
+	// The sum of spring and damping may be rounded beyond the yield value, and by mode a spring may be strained beyond it for a step.
+	// Fibres that harden have none.
+	if (!capacity.isElasticPlastic(dof) || (capacity.hasFibres() && btElasticPlasticCapacity::isOfFibres(dof)))
 		return force;
 	return btMax(-capacity.m_yield[dof], btMin(capacity.m_yield[dof], force));
 }
