@@ -22,7 +22,7 @@ Vector = NDArray[np.float64]
 VectorOverTime = Union[Sequence[float], Vector, Callable[[float], ArrayLike]]
 
 EVENT_TYPES = ("yield", "break", "crack", "rupture", "remove", "cut", "push")
-NUM_ENERGIES = 5  # the last columns of a run
+NUM_ENERGIES = 6  # the last columns of a run
 
 
 class Event(NamedTuple):
@@ -401,7 +401,7 @@ class Scene:
 
 	@property
 	def energies(self) -> Readings:
-		"""kinetic; elastic, plastic and numerical of joints; gained, the sum of what steps have made from nothing [J]."""
+		"""kinetic; elastic, plastic, damping and numerical of joints; gained, the sum of what steps have made from nothing [J]."""
 		return self._energies
 
 	@property

@@ -127,7 +127,7 @@ class Arrays(unittest.TestCase):
 	def test_are_a_mapping(self):
 		scene = ep.Scene(BOX)
 		self.assertEqual(list(scene.probes), ["v", "x"])
-		self.assertEqual(list(scene.energies), ["kinetic", "elastic", "plastic", "numerical", "gained"])
+		self.assertEqual(list(scene.energies), ["kinetic", "elastic", "plastic", "damping", "numerical", "gained"])
 		self.assertIn("v", scene.probes)
 		self.assertNotIn("w", scene.probes)
 		with self.assertRaisesRegex(KeyError, "no probe .*velocity.* is not known; known are v, x"):

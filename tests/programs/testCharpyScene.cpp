@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "programs/SilentPanel.h"
+#include "support/SilentPanel.h"
 #include "view/Scene.h"
 
 using namespace ep;

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "Browser.h"
-#include "programs/SilentPanel.h"
+#include "support/SilentPanel.h"
 
 using namespace ep;
 

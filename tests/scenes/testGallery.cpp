@@ -5,9 +5,8 @@
 
 #include <algorithm>
 
-#include "run/RunFiles.h"
+#include "scenes/ExpectedRun.h"
 #include "scenes/Scenes.h"
-#include "simulation/Probes.h"
 
 using namespace ep;
 
@@ -37,16 +36,7 @@ TEST_P(Gallery, RunsAsExpectedAndMakesNoEnergy)
 {
 	const std::string file = (FOLDER / (GetParam() + ".json")).string();
 	Simulation simulation(describeScene(SceneText::read(file)));
-	RunFiles files(simulation);
-	while (simulation.ending() == Ending::None)
-	{
-		simulation.step();
-		files.step();
-	}
-	EXPECT_NE(simulation.ending(), Ending::NotFinite);
-	for (const std::string& unmet : unmetExpectations(simulation, files.values()))
-		ADD_FAILURE() << unmet;
-	EXPECT_FALSE(simulation.scene().expectations.empty());
+	runAsExpected(simulation);
 	const SceneEnergies& energies = simulation.energies();
 	EXPECT_TRUE(energies.isAudited);
 	// What blocks give back that have been pressed into each other by a blow, in the steps of a game.

@@ -5,6 +5,7 @@
 
 #include "scenes/Scenes.h"
 #include "sceneview/LiveScene.h"
+#include "support/SilentPanel.h"
 
 using namespace ep;
 
@@ -20,28 +21,12 @@ std::string mastIn(const TemporaryFolder& folder)
 		"bodies": [{"name": "stone", "sphere": 0.5, "at": [9, 0.5, 0], "motion": "static"}],
 		"events": [{"time": 2, "remove": "mast/4"}]})");
 }
-}  // namespace
 
-namespace
-{
 /// Keeps the figures of a panel.
-class Reader : public Panel
+struct FigureReader : SilentPanel
 {
-public:
-	bool section(const char*, bool) override { return true; }
-	void text(const std::string& line) override { lines.push_back(line); }
-	bool button(const char*) override { return false; }
-	void beside() override {}
-	bool check(const char*, bool&) override { return false; }
-	bool choice(const char*, size_t&, const std::vector<std::string>&) override { return false; }
-	bool slider(const char*, double&, double, double, const char*) override { return false; }
-	bool slider(const char*, int&, int, int) override { return false; }
-	void shares(const std::vector<Share>&, const char*) override {}
-	int table(const char*, const std::vector<std::string>&, const std::vector<Row>&, int) override { return -1; }
-	void plot(const char*, const Curve&) override {}
 	void figure(const Figure& figure) override { figures.push_back(figure); }
 
-	std::vector<std::string> lines;
 	std::vector<Figure> figures;
 };
 }  // namespace
@@ -56,7 +41,7 @@ TEST(LiveScene, ShowsTheSectionThatYieldsFirst)
 		"joints": [{"name": "j", "from": "world", "to": "box", "at": [0, 0, 0], "material": "steel",
 			"section": {"rectangle": [0.1, 0.1], "fibres": 16, "bars": [{"at": [0, 0], "area": 1e-4, "material": "steel"}]}}],
 		"loads": [{"on": "box", "force": [4e6, 0, 0], "over": [0, 0, 10, 10]}]})"));
-	Reader before, after;
+	FigureReader before, after;
 	scene.step(Controls());
 	scene.panel(1, before);
 	EXPECT_TRUE(before.figures.empty());

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "run/RunFiles.h"
+#include "scenes/ExpectedRun.h"
 #include "scenes/Scenes.h"
-#include "simulation/Probes.h"
 
 using namespace ep;
 
@@ -24,16 +23,7 @@ TEST_P(Measured, RunsAsExpected)
 	const std::string file =
 		(std::filesystem::path(EP_SOURCE_DIR) / "examples/scenes/measured" / GetParam()).string() + ".json";
 	Simulation simulation(describeScene(SceneText::read(file)));
-	RunFiles files(simulation);
-	while (simulation.ending() == Ending::None)
-	{
-		simulation.step();
-		files.step();
-	}
-	EXPECT_NE(simulation.ending(), Ending::NotFinite);
-	EXPECT_FALSE(simulation.scene().expectations.empty());
-	for (const std::string& unmet : unmetExpectations(simulation, files.values()))
-		ADD_FAILURE() << unmet;
+	runAsExpected(simulation);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Measured,

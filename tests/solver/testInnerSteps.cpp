@@ -34,6 +34,15 @@ void takeInnerSteps(World& world, double error = ERROR_ALLOWED, int most = 64)
 	ASSERT_TRUE(solverOf(world).setSettings(settings));
 }
 
+/// As many inner steps as so much work in a step of the world lets them be.
+void takeInnerStepsFor(World& world, long long work)
+{
+	btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
+	settings.m_innerError = ERROR_ALLOWED;
+	settings.m_maxInnerWork = work;
+	ASSERT_TRUE(solverOf(world).setSettings(settings));
+}
+
 double plasticEnergy(const World& world)
 {
 	double energy = 0;
@@ -309,17 +318,15 @@ TEST(InnerSteps, CostNoMoreThanTheyMay)
 {
 	// A step and its inner ones together, in the counted unit.
 	ParkesCantilever cantilever{ParkesCantilever::Settings()};
-	btElasticPlasticSolverSettings settings = solverOf(cantilever.m_world).getSettings();
-	settings.m_innerError = ERROR_ALLOWED;
-	settings.m_maxInnerWork = 100000;
-	ASSERT_TRUE(solverOf(cantilever.m_world).setSettings(settings));
+	const long long mostWork = 100000;
+	takeInnerStepsFor(cantilever.m_world, mostWork);
 	long long innerSteps = 0;
 	for (int i = 0; i < 12; ++i)
 	{
 		solverOf(cantilever.m_world).resetStatistics();
 		cantilever.m_world.step(FRAME);
 		// What a solution takes is known by the mean of those before, and each level that is tried may take as much.
-		EXPECT_LT(statisticsOf(cantilever.m_world).m_work, 2 * settings.m_maxInnerWork);
+		EXPECT_LT(statisticsOf(cantilever.m_world).m_work, 2 * mostWork);
 		innerSteps += statisticsOf(cantilever.m_world).m_innerSteps;
 	}
 	// Where the blow itself takes all of the work, what comes after it has some left; without a bound it takes six hundred.
@@ -332,10 +339,8 @@ TEST(InnerSteps, AnIslandThatGrowsCostsNoMoreThanItMay)
 	// A struck cantilever takes many inner steps; then a member of 400 blocks is hung on its tip, with which each of them
 	// costs 16 times as much.
 	ParkesCantilever cantilever{ParkesCantilever::Settings()};
-	btElasticPlasticSolverSettings settings = solverOf(cantilever.m_world).getSettings();
-	settings.m_innerError = ERROR_ALLOWED;
-	settings.m_maxInnerWork = 1000000;
-	ASSERT_TRUE(solverOf(cantilever.m_world).setSettings(settings));
+	const long long mostWork = 1000000;
+	takeInnerStepsFor(cantilever.m_world, mostWork);
 	Member::Settings others;
 	others.parts = 400;
 	const Member grown(cantilever.m_world, others, at(5, 5), 40);
@@ -352,7 +357,7 @@ TEST(InnerSteps, AnIslandThatGrowsCostsNoMoreThanItMay)
 		cantilever.m_member.last(), grown.first(), btTransform::getIdentity(),
 		grown.first().getCenterOfMassTransform().inverse() * cantilever.m_member.last().getCenterOfMassTransform()));
 	// One step more than may be taken shows that, at the next level there are as many as may be.
-	EXPECT_LT(step().m_work, 2 * settings.m_maxInnerWork);
+	EXPECT_LT(step().m_work, 2 * mostWork);
 }
 
 /// A beam that is struck at its tip, beside 300 loose boxes on the ground.

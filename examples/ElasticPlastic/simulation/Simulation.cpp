@@ -545,7 +545,7 @@ void Simulation::takeEvents()
 	}
 	SceneEnergies& sum = m_run.energies;
 	sum.kinetic = m_world->kineticEnergy();
-	sum.elastic = sum.plastic = sum.numerical = 0;
+	sum.elastic = sum.plastic = sum.damping = sum.numerical = 0;
 	for (size_t i = 0; i < m_joints.size(); ++i)
 	{
 		BuiltJoint& built = m_joints[i];
@@ -560,6 +560,7 @@ void Simulation::takeEvents()
 			continue;
 		sum.elastic += isBroken(int(i)) || built.isCut ? 0 : built.joint->getElasticEnergy();
 		sum.plastic += built.joint->getPlasticEnergy();
+		sum.damping += built.joint->getDampingEnergy();
 		sum.numerical += built.joint->getNumericalEnergy();
 	}
 }

@@ -44,7 +44,7 @@ const std::vector<Named<SceneEvent::Type>>& sceneEventTypes();
 struct SceneEnergies
 {
 	double kinetic = 0;
-	double elastic = 0, plastic = 0, numerical = 0;  ///< of joints
+	double elastic = 0, plastic = 0, damping = 0, numerical = 0;  ///< of joints
 	double turnover = 0;    ///< the most that kinetic energy and what joints have stored and dissipated have been
 	double gained = 0;      ///< the sum of what steps have added from nowhere
 	bool isAudited = true;  ///< false with kinematic bodies and motors, whose work nobody counts

@@ -24,8 +24,8 @@ void forEachNumber(State& s, Act act)
 		act(s.m_plasticMiddle[i]);
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		for (auto* list :
-			 {&s.m_plastic, &s.m_force, &s.m_forceRate, &s.m_withheld, &s.m_applied, &s.m_appliedBefore, &s.m_branch[0], &s.m_branch[1], &s.m_branch[2], &s.m_plasticPath, &s.m_watched})
+		for (auto* list : {&s.m_plastic, &s.m_force, &s.m_forceRate, &s.m_withheld, &s.m_applied, &s.m_appliedBefore,
+						   &s.m_branch[0], &s.m_branch[1], &s.m_branch[2], &s.m_plasticPath, &s.m_watched})
 			act((*list)[i]);
 	for (auto& initial : s.m_initial)
 		act(initial);
@@ -114,7 +114,7 @@ SimulationState unpack(const json& packed)
 	packed.at("last_substep").get_to(s.lastSubstep);
 	s.ending = unpackChoice(packed.at("ending"), Ending::NotFinite);
 	const json& e = packed.at("energies");
-	s.energies = {e.at(0), e.at(1), e.at(2), e.at(3), e.at(4), e.at(5), e.at(6)};
+	s.energies = {e.at(0), e.at(1), e.at(2), e.at(3), e.at(4), e.at(5), e.at(6), e.at(7)};
 	packed.at("played").get_to(s.played);
 	s.events = unpackEvents(packed.at("events"));
 	for (const json& change : packed.at("changes"))
@@ -142,7 +142,7 @@ json packState(const SimulationState& s)
 			{"calm", s.calm},
 			{"last_substep", s.lastSubstep},
 			{"ending", int(s.ending)},
-			{"energies", {e.kinetic, e.elastic, e.plastic, e.numerical, e.turnover, e.gained, e.isAudited}},
+			{"energies", {e.kinetic, e.elastic, e.plastic, e.damping, e.numerical, e.turnover, e.gained, e.isAudited}},
 			{"played", s.played},
 			{"events", packEvents(s.events)},
 			{"changes", changes},

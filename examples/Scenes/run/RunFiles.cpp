@@ -35,7 +35,7 @@ RunFiles::RunFiles(Simulation& simulation, const std::vector<std::vector<double>
 	m_columns.emplace_back("time_s");
 	for (const auto& probe : simulation.scene().probes)
 		m_columns.emplace_back(probe.name);
-	for (const char* energy : {"kinetic_J", "elastic_J", "plastic_J", "numerical_J", "gained_J"})
+	for (const char* energy : {"kinetic_J", "elastic_J", "plastic_J", "damping_J", "numerical_J", "gained_J"})
 		m_columns.emplace_back(energy);
 	if (columns.empty())
 		return;
@@ -57,7 +57,7 @@ void RunFiles::step()
 	m_columns[column++].add(m_simulation.time());
 	for (const auto& probe : m_simulation.scene().probes)
 		m_columns[column++].add(readProbe(m_simulation, probe));
-	for (double energy : {e.kinetic, e.elastic, e.plastic, e.numerical, e.gained})
+	for (double energy : {e.kinetic, e.elastic, e.plastic, e.damping, e.numerical, e.gained})
 		m_columns[column++].add(energy);
 }
 
@@ -119,6 +119,7 @@ nlohmann::ordered_json RunFiles::summary() const
 			{"kinetic_energy_J", e.kinetic},
 			{"elastic_energy_J", e.elastic},
 			{"plastic_energy_J", e.plastic},
+			{"damping_energy_J", e.damping},
 			{"numerical_energy_J", e.numerical},
 			{"energy_turnover_J", e.turnover},
 			{"energy_gained_J", e.isAudited ? Json(e.gained) : Json()},
