@@ -20,6 +20,7 @@ struct SilentPanel : ep::Panel
 	void shares(const std::vector<Share>&, const char*) override {}
 	int table(const char*, const std::vector<std::string>&, const std::vector<Row>&, int) override { return -1; }
 	void plot(const char*, const Curve&) override {}
+	void figure(const ep::Figure&) override {}
 };
 
 #endif  // EP_TEST_SILENT_PANEL_H
