@@ -168,6 +168,20 @@ ep::CaseJob jobOf(const Options& o, const ep::Variation& variation, size_t index
 			}};
 }
 
+/// What the first of the cases that have failed says, without the command and its status.
+std::string firstFailure(const std::vector<ep::CaseJob>& jobs, const fs::path& folder)
+{
+	for (const ep::CaseJob& job : jobs)
+	{
+		std::ifstream file(folder / (job.name + ".failed"));
+		std::string line;
+		if (!file || !std::getline(file, line) || !std::getline(file, line))
+			continue;
+		return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+	}
+	return {};
+}
+
 int runMany(const Options& o, const ep::SceneText& text, const std::string& program)
 {
 	const ep::Variation variation = ep::Variation::make(o.sweeps, o.random, o.vary, o.seed);
@@ -183,7 +197,8 @@ int runMany(const Options& o, const ep::SceneText& text, const std::string& prog
 	ep::writeText(table, ep::caseTable(variation, folder.string()));
 	std::cout << "Table in " << table << "\n";
 	if (failed > 0)
-		throw std::runtime_error(std::to_string(failed) + " cases failed: see the .failed files in " + folder.string());
+		throw std::runtime_error(std::to_string(failed) + " cases failed: see the .failed files in " + folder.string() +
+								 ". The first one says:\n" + firstFailure(jobs, folder));
 	return FINISHED;
 }
 

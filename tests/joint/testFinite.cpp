@@ -75,6 +75,24 @@ TEST_P(Capacities, APlaceThatIsNoneIsNoReference)
 	}
 }
 
+TEST_P(Capacities, AStretchedBasisIsNoReference)
+{
+	// Between two bodies of the same basis there is no strain, whatever it is.
+	Pair pair(Solver::Direct);
+	btElasticPlasticJoint* joint = pair.join(capacity());
+	run(pair.m_world, 2, btScalar(1) / 60);
+	const btScalar huge = btPow(std::numeric_limits<btScalar>::max(), btScalar(0.6));
+	btRigidBody* const bodies[] = {pair.m_a, pair.m_b};
+	for (btRigidBody* body : bodies)
+	{
+		btTransform stretched = body->getCenterOfMassTransform();
+		stretched.setBasis(btMatrix3x3(huge, 0, 0, 0, huge, 0, 0, 0, huge));
+		body->setWorldTransform(stretched);
+	}
+	joint->setReferenceToCurrentPose();
+	expectUsable(*joint, "with bodies of no basis");
+}
+
 TEST_P(Capacities, NoSpeedAndNoStepSpoilsAState)
 {
 	const double most = double(std::numeric_limits<btScalar>::max());

@@ -241,7 +241,8 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
 bool JointModel::measureReference(Kinematics& kinematics) const
 {
 	measure(kinematics);
-	return kinematics.isUsable();
+	// Two bodies of the same skew basis would measure no strain between them.
+	return kinematics.isUsable() && isFrame(frameA()) && isFrame(frameB());
 }
 
 /// Makes the present pose the reference of degrees of freedom that were free until now: they hold where the bodies are.
