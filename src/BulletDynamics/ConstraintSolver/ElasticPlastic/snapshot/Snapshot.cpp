@@ -487,7 +487,7 @@ bool Snapshot::areMotionsSound(const WorldImage& image) const
 namespace
 {
 /// So that a spoilt file asks for no memory.
-const int MOST_FIBRES = 1 << 20;
+const int FIBRES_OF_AN_EVENT = 1 << 20;
 }  // namespace
 
 bool Snapshot::areEventsSound(const WorldImage& image) const
@@ -501,7 +501,7 @@ bool Snapshot::areEventsSound(const WorldImage& image) const
 			!btElasticPlasticIsDof(event.m_event.m_dof))
 			return false;
 		const bool isOfFibre = event.m_type == BT_EP_EVENT_CRACK || event.m_type == BT_EP_EVENT_RUPTURE;
-		if (isOfFibre != (event.m_event.m_fibre >= 0) || event.m_event.m_fibre >= MOST_FIBRES)
+		if (isOfFibre != (event.m_event.m_fibre >= 0) || event.m_event.m_fibre >= FIBRES_OF_AN_EVENT)
 			return false;
 	}
 	return true;
