@@ -46,7 +46,8 @@ struct CInterface : testing::Test
 TEST_F(CInterface, RefusesVersionsAndNull)
 {
 	btep_world* other = m_world;
-	EXPECT_EQ(BTEP_BAD_VERSION, btep_world_create(BTEP_VERSION + 1, GRAVITY, &other));
+	for (const int wrong : {BTEP_VERSION - 1, BTEP_VERSION + 1})
+		EXPECT_EQ(BTEP_BAD_VERSION, btep_world_create(wrong, GRAVITY, &other));
 	EXPECT_EQ(nullptr, other);
 	EXPECT_EQ(BTEP_BAD_POINTER, btep_world_create(BTEP_VERSION, nullptr, &other));
 	EXPECT_EQ(BTEP_BAD_POINTER, btep_world_step(nullptr, 0.1));

@@ -159,7 +159,7 @@ int btep_world_create(int version, const double gravity[3], btep_world** world)
 	if (!world || !gravity)
 		return BTEP_BAD_POINTER;
 	*world = nullptr;
-	if (version < 1 || version > BTEP_VERSION)
+	if (version != BTEP_VERSION)
 		return BTEP_BAD_VERSION;
 	if (!areFinite(gravity, 3))
 		return BTEP_BAD_VALUE;
