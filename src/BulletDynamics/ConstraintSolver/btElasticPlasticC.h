@@ -34,7 +34,7 @@ extern "C"
 		BTEP_BAD_HANDLE = -2,  /* no body or joint of the world has this number */
 		BTEP_BAD_VALUE = -3,   /* a value is out of its range */
 		BTEP_BAD_VERSION =
-			-4 /* the program was compiled with a later header, or a struct's m_size is not that of a known version */
+			-4 /* the program was compiled with another version's header, or a struct's m_size is not that of a known version */
 	};
 
 	enum btep_shape
