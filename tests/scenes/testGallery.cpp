@@ -51,6 +51,26 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Gallery, testing::ValuesIn(galleryScenes()),
 							 return name;
 						 });
 
+TEST(ScenesPage, ShowsScenesThatAreRead)
+{
+	std::ifstream stream(std::string(EP_SOURCE_DIR) + "/docs/scenes.md");
+	const std::string page((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+	int scenes = 0;
+	const std::string begin = "```json\n";
+	for (size_t at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1))
+	{
+		const size_t from = at + begin.size();
+		std::string text = page.substr(from, page.find("```", from) - from);
+		// Some show one key only.
+		if (text[0] != '{')
+			text = "{\"version\": 1, \"bodies\": [{\"name\": \"box\", \"box\": [1, 1, 1]}], " + text + "}";
+		SCOPED_TRACE(text);
+		EXPECT_EQ(complaintOf([&] { Simulation simulation(describeScene(SceneText::parse(text, "page.json"))); }), "");
+		++scenes;
+	}
+	EXPECT_GE(scenes, 3);
+}
+
 TEST(GalleryPage, ShowsAllScenesEachOfOneScreen)
 {
 	std::ifstream stream(std::string(EP_SOURCE_DIR) + "/docs/gallery.md");

@@ -104,6 +104,7 @@ std::vector<std::string> originals()
 		"loads": [{"on": "h", "moment": [1, 0, 0], "frequency": 2}], "blasts": [{"at": [0, 0, 0], "time": 0.01}],
 		"events": [{"time": 0.02, "cut": "g", "push": "c", "velocity": [0, 1, 0]}],
 		"probes": [{"name": "p", "of": "*", "measure": "contact_force", "with": "t", "gather": "mean"}], "end": {"standstill": 0.1},
+		"vehicles": [{"name": "v", "kind": "car", "at": [-40, 0, 0], "velocity": 3, "route": [{"to": [-30, 0], "speed": 5, "stop": false}, {"wait": 1}]}],
 		"structures": [{"wall": {"name": "w", "material": "m", "length": 2, "height": 1, "thickness": 0.2, "at": [20, 0, 0]}},
 		{"grid": {"name": "q", "material": "m", "at": [40, 0, 0], "count_x": 2, "count_y": 2, "count_z": 2}},
 		{"chain": {"name": "r", "material": "m", "section": {"circle": 0.05}, "from": [50, 5, 0], "to": [52, 5, 0], "sag": 0.3}}]})");

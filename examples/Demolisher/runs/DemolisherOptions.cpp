@@ -5,7 +5,7 @@
 
 #include "cli/NamedOption.h"
 #include "cli/OptionRange.h"
-#include "vehicle/RouteFile.h"
+#include "runs/RouteFile.h"
 
 namespace ep
 {

@@ -13,7 +13,7 @@ const double LONGEST_FALL = 600;      // [s]
 Leg to(btScalar x, btScalar speed, btScalar wait = 0)
 {
 	Leg leg;
-	leg.to = x;
+	leg.to.setX(x);
 	leg.speed = speed;
 	leg.wait = wait;
 	return leg;

@@ -26,6 +26,7 @@ Demolisher::Demolisher(const DemolisherSettings& settings)
 	  m_autopilot(settings.actualRoute()),
 	  m_joints(m_world)
 {
+	m_world.beforeSubsteps([this](btScalar dt) { m_vehicle.updateVehicle(dt); });
 	addGround(m_world);
 	for (Scene scene : m_settings.onTheWay())
 		build(scene);
@@ -68,6 +69,7 @@ void Demolisher::step(const Controls& controls)
 	growGravity();
 	m_vehicle.drive(controls, m_settings.step);
 	m_world.step(m_settings.step, m_settings.substeps);
+	m_vehicle.turnWheels();
 	m_wallTime += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 	m_joints.update(m_time);
 }

@@ -66,7 +66,7 @@ Route DemolisherSettings::actualRoute() const
 		return route;
 	Leg leg;
 	const Scene last = onTheWay().back();
-	leg.to = last == Scene::Bridge ? rampFoot() + 18 : placeOf(last) + 25;
+	leg.to.setX(last == Scene::Bridge ? rampFoot() + 18 : placeOf(last) + 25);
 	leg.speed = speed;
 	return {leg};
 }

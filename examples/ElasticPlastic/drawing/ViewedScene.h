@@ -5,9 +5,9 @@
 #define EP_VIEWED_SCENE_H
 
 #include "drawing/Bounds.h"
-#include "drawing/Controls.h"
 #include "drawing/Drawing.h"
 #include "drawing/Panel.h"
+#include "vehicle/Controls.h"
 
 namespace ep
 {

@@ -141,12 +141,14 @@ void GltfFilm::step()
 void GltfFilm::record()
 {
 	const Simulation& s = m_simulation;
-	Frame frame = {s.time(), {}, {}, {}, {}};
+	Frame frame = {s.time(), {}, {}, {}, {}, {}};
 	for (size_t i = 0; i < s.scene().bodies.size(); ++i)
 	{
 		frame.poses.push_back(s.poseOf(int(i)));
 		frame.areThere.push_back(s.isThere(int(i)));
 	}
+	for (const Simulation::Wheel& wheel : s.wheels())
+		frame.wheels.push_back(wheel.pose);
 	for (size_t i = 0; i < s.scene().joints.size(); ++i)
 	{
 		const auto& bodies = s.scene().joints[i].bodies;
@@ -160,7 +162,7 @@ void GltfFilm::record()
 	m_frames.push_back(frame);
 }
 
-/// Makes the file's model: bodies are the first nodes, in their order, then come joints, then what bends members.
+/// Makes the file's model: bodies are the first nodes, in their order, then come joints, then what bends members, then wheels.
 class GltfFilm::Model
 {
 public:
@@ -179,6 +181,8 @@ public:
 			addJoint(i);
 		for (const Bend& bend : m_bends)
 			addBend(bend);
+		for (size_t i = 0; i < frames.front().wheels.size(); ++i)
+			addWheel(i);
 		addScene();
 	}
 
@@ -270,25 +274,43 @@ private:
 		setPose(node, m_frames.front().poses[i]);
 		m_model.nodes.push_back(node);
 		if (scene().bodies[i].motion != SceneDescription::Motion::Static)
-			addTracks(i);
+			addTracks(int(i), i, [i](const Frame& frame) { return frame.poses[i]; });
 	}
 
-	void addTracks(size_t i)
+	void addWheel(size_t i)
+	{
+		const Simulation::Wheel wheel = m_simulation.wheels()[i];
+		SceneDescription::Body body;
+		body.name = wheel.name;
+		body.colour.setValue(btScalar(.028), btScalar(.028), btScalar(.03));
+		tinygltf::Node node;
+		node.name = wheel.name;
+		node.mesh = addMesh(m_model, m_writer, body, trianglesOf(wheel.shape));
+		setPose(node, m_frames.front().wheels[i]);
+		m_rootNodes.push_back(int(m_model.nodes.size()));
+		m_model.nodes.push_back(node);
+		addTracks(m_rootNodes.back(), size_t(wheel.body), [i](const Frame& frame) { return frame.wheels[i]; });
+	}
+
+	/// \param body    with which it comes and goes
+	/// \param poseIn  a frame
+	template <class PoseIn>
+	void addTracks(int node, size_t body, PoseIn poseIn)
 	{
 		Track track;
 		std::vector<float> scales;
 		bool isAlwaysThere = true;
 		for (const Frame& frame : m_frames)
 		{
-			track.add(frame.poses[i]);
-			const btScalar scale = frame.areThere[i] ? btScalar(1) : btScalar(0);
+			track.add(poseIn(frame));
+			const btScalar scale = frame.areThere[body] ? btScalar(1) : btScalar(0);
 			append(scales, btVector3(scale, scale, scale));
-			isAlwaysThere &= frame.areThere[i];
+			isAlwaysThere &= frame.areThere[body];
 		}
-		addPoses(int(i), track);
+		addPoses(node, track);
 		// What is not in the world has no size: it comes and goes at once.
 		if (!isAlwaysThere)
-			addTrack(m_animation, int(i), "scale", "STEP", m_times, m_writer.add(scales, 3));
+			addTrack(m_animation, node, "scale", "STEP", m_times, m_writer.add(scales, 3));
 	}
 
 	void addPoses(int node, const Track& track)
@@ -323,7 +345,7 @@ private:
 		node.mesh = addBentMesh(bend.member, bones);
 		node.skin = int(m_model.skins.size()) - 1;
 		m_model.nodes.push_back(node);
-		m_bentNodes.push_back(int(m_model.nodes.size()) - 1);
+		m_rootNodes.push_back(int(m_model.nodes.size()) - 1);
 	}
 
 	void addBone(tinygltf::Skin& skin, std::vector<float>& inverses, int body, const btTransform& pose)
@@ -386,7 +408,7 @@ private:
 		root.name = m_animation.name = scene().title;
 		for (size_t i = 0; i < m_frames.front().poses.size(); ++i)
 			root.nodes.push_back(int(i));
-		root.nodes.insert(root.nodes.end(), m_bentNodes.begin(), m_bentNodes.end());
+		root.nodes.insert(root.nodes.end(), m_rootNodes.begin(), m_rootNodes.end());
 		std::vector<double> times;
 		for (const Frame& frame : m_frames)
 			times.push_back(frame.time);
@@ -403,7 +425,7 @@ private:
 	const Simulation& m_simulation;
 	const std::vector<Frame>& m_frames;
 	const std::vector<Bend> m_bends;
-	std::vector<int> m_bentNodes;  // meshes with a skin
+	std::vector<int> m_rootNodes;  // beside bodies: meshes with a skin, and wheels
 	tinygltf::Model m_model;
 	BufferWriter m_writer;
 	tinygltf::Animation m_animation;

@@ -31,6 +31,7 @@ private:
 		double time;
 		std::vector<btTransform> poses;  ///< of bodies
 		std::vector<bool> areThere;
+		std::vector<btTransform> wheels;
 		std::vector<float> utilisations;  ///< of joints
 		std::vector<bool> areWhole;       ///< joints of ours that hold their bodies
 	};

@@ -16,6 +16,7 @@ namespace
 using Shape = SceneDescription::Shape;
 using ShapeKind = SceneDescription::ShapeKind;
 
+const Colour TYRE = {.028f, .028f, .03f};
 const int SLICES = 10;  // of what has any form
 
 Colour toColour(const btVector3& c) { return {float(c.x()), float(c.y()), float(c.z())}; }
@@ -151,6 +152,9 @@ Drawing drawSimulation(const Simulation& s)
 	for (size_t i = 0; i < s.scene().bodies.size(); ++i)
 		if (s.isThere(int(i)))
 			addShape(drawing.parts, s.scene().bodies[i].shape, s.poseOf(int(i)), toColour(s.scene().bodies[i].colour));
+	for (const Simulation::Wheel& wheel : s.wheels())
+		if (s.isThere(wheel.body))
+			addShape(drawing.parts, wheel.shape, wheel.pose, TYRE);
 	for (size_t i = 0; i < s.scene().joints.size(); ++i)
 		addJoint(drawing.parts, s, int(i));
 	drawing.text = {s.scene().title,

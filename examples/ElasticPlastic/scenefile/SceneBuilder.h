@@ -66,6 +66,7 @@ bool sectionField(Fields& f, const char* key, SceneBuilder& builder, SceneDescri
 void materialFields(Fields& f, SceneDescription::Material& material);
 void sectionFields(Fields& f, SceneBuilder& builder, SceneDescription::Section& section);
 void bodyFields(Fields& f, SceneBuilder& builder);
+void vehicleFields(Fields& f, SceneBuilder& builder);
 void jointFields(Fields& f, SceneBuilder& builder);
 void structureFields(Fields& f, SceneBuilder& builder);
 void loadFields(Fields& f, SceneBuilder& builder);

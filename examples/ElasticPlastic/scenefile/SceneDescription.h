@@ -11,6 +11,8 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticSolverSettings.h"
 #include "LinearMath/btTransform.h"
+#include "vehicle/Autopilot.h"
+#include "vehicle/VehicleSettings.h"
 #include "world/Method.h"
 
 namespace ep
@@ -93,6 +95,14 @@ struct SceneDescription
 		btVector3 colour = btVector3(btScalar(.45), btScalar(.43), btScalar(.40));
 		/// Of a kinematic body: time [s] and place, straight between them.
 		std::vector<std::pair<double, btVector3>> path;
+	};
+
+	/// A body on four wheels, of which other bodies feel what they do to them.
+	struct Vehicle
+	{
+		int body = 0;  ///< a box of the settings' size and mass, x forward
+		VehicleSettings settings;
+		Route route;  ///< empty: it rolls
 	};
 
 	enum class JointType
@@ -224,6 +234,7 @@ struct SceneDescription
 	std::string title, about;
 	WorldSettings world;
 	std::vector<Body> bodies;
+	std::vector<Vehicle> vehicles;
 	std::vector<Joint> joints;
 	std::vector<Load> loads;
 	std::vector<Fire> fires;

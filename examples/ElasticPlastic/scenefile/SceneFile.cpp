@@ -99,6 +99,7 @@ void sceneFields(Fields& f, SceneBuilder& b)
 	f.named("sections", "by their names",
 			[&](const std::string& name, Fields& in) { sectionFields(in, b, b.m_sections[name]); });
 	f.list("bodies", 10000, "rigid bodies", [&](Fields& in) { bodyFields(in, b); });
+	f.list("vehicles", 100, "bodies on four wheels", [&](Fields& in) { vehicleFields(in, b); });
 	f.list("structures", 1000, "what is made of many bodies and joints", [&](Fields& in) { structureList(in, b); });
 	f.list("joints", 10000, "between bodies", [&](Fields& in) { jointFields(in, b); });
 	f.list("loads", 1000, "forces and moments over time", [&](Fields& in) { loadFields(in, b); });

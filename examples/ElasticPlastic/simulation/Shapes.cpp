@@ -184,6 +184,19 @@ Solid solidOfHull(const std::vector<btVector3>& points)
 	return solid;
 }
 
+CentredShape makeChassis(World& world, const btVector3& size)
+{
+	Shape box;
+	box.size = size;
+	const Solid solid = solidOf(box);
+	CentredShape shape;
+	shape.shape = world.box(size);
+	shape.centre.setRotation(btQuaternion(btVector3(0, 1, 0), SIMD_HALF_PI));
+	shape.volume = solid.volume;
+	shape.inertia.setValue(solid.inertia[0].x(), solid.inertia[1].y(), solid.inertia[2].z());
+	return shape;
+}
+
 CentredShape makeShape(World& world, const SceneDescription::Shape& s,
 					   std::vector<std::unique_ptr<btTriangleMesh>>& meshes)
 {

@@ -33,6 +33,10 @@ struct CentredShape
 CentredShape makeShape(World& world, const SceneDescription::Shape& shape,
 					   std::vector<std::unique_ptr<btTriangleMesh>>& meshes);
 
+/// A box whose own axes are those of a vehicle: x left, y up, z forward, while in a description x is forward.
+/// \param size  in its own axes
+CentredShape makeChassis(World& world, const btVector3& size);
+
 /// Of a polyhedron that is convex, by its points.
 Solid solidOfHull(const std::vector<btVector3>& points);
 }  // namespace ep

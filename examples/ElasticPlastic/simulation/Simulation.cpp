@@ -107,6 +107,7 @@ Simulation::Simulation(const SceneDescription& scene)
 			->setFriction(btScalar(w.groundFriction));
 	m_anchor = m_world->body(0, m_world->box(btVector3(1, 1, 1)), at(0), false);
 	buildBodies();
+	buildVehicles();
 	for (size_t i = 0; i < m_scene.joints.size(); ++i)
 		buildJoint(i);
 	refuseOverlaps();
@@ -143,9 +144,17 @@ void Simulation::buildBodies()
 			complaints.add({}, "bodies." + m_scene.bodies[i].name, m_bodies[i].shape.fault);
 	}
 	complaints.check();
+	for (const SceneDescription::Vehicle& v : m_scene.vehicles)
+		m_bodies[size_t(v.body)].shape = makeChassis(*m_world, v.settings.size);
 	for (size_t i = 0; i < m_bodies.size(); ++i)
 		if (m_scene.bodies[i].appears <= 0)
 			addBody(i);
+}
+
+void Simulation::buildVehicles()
+{
+	for (const SceneDescription::Vehicle& v : m_scene.vehicles)
+		m_vehicles.push_back({std::make_unique<Vehicle>(*m_world, v.settings, *body(v.body)), Autopilot(v.route)});
 }
 
 void Simulation::addBody(size_t index)
@@ -314,6 +323,8 @@ void Simulation::step()
 	else
 		for (int i = 0; i < m_scene.world.substeps; ++i)
 			substep(btScalar(dt / m_scene.world.substeps));
+	for (const Driven& driven : m_vehicles)
+		driven.vehicle->turnWheels();
 	takeEvents();
 	checkEnd();
 	playScript();
@@ -329,6 +340,7 @@ void Simulation::substep(btScalar dt)
 	applyLoads(m_scene.loads, m_run.time + double(dt) / 2);
 	applyLoads(m_addedLoads, m_run.time + double(dt) / 2);
 	applyBlasts(m_run.time, double(dt));
+	driveVehicles(double(dt));
 	m_audit->begin();
 	m_world->step(dt);
 	m_audit->end(dt);
@@ -343,6 +355,24 @@ void Simulation::setGravity()
 	const SceneDescription::WorldSettings& w = m_scene.world;
 	if (w.ramp > 0 && m_run.time < 2 * w.ramp)
 		m_world->bullet().setGravity(w.gravity * btScalar(std::min(1., m_run.time / w.ramp)));
+}
+
+/// They wait until gravity is there.
+void Simulation::driveVehicles(double dt)
+{
+	for (size_t i = 0; i < m_vehicles.size(); ++i)
+	{
+		const SceneDescription::Vehicle& v = m_scene.vehicles[i];
+		Vehicle& vehicle = *m_vehicles[i].vehicle;
+		if (!isThere(v.body))
+			continue;
+		Controls controls;
+		controls.handbrake = !v.route.empty();
+		if (!v.route.empty() && m_run.time >= m_scene.world.ramp)
+			controls = m_vehicles[i].autopilot.drive(vehicle.pose(), vehicle.speed(), btScalar(dt));
+		vehicle.drive(controls, btScalar(dt));
+		vehicle.updateVehicle(btScalar(dt));
+	}
 }
 
 void Simulation::moveKinematic(double time)
@@ -584,7 +614,9 @@ void Simulation::checkEnd()
 			return;
 		}
 	const SceneDescription::End& end = m_scene.end;
-	const bool isCalm = end.standstill > 0 && m_run.time > m_lastDeed && fastest() < end.standstill;
+	const bool isWaiting = std::any_of(m_vehicles.begin(), m_vehicles.end(),
+									   [](const Driven& driven) { return driven.autopilot.isWaiting(); });
+	const bool isCalm = end.standstill > 0 && m_run.time > m_lastDeed && !isWaiting && fastest() < end.standstill;
 	m_run.calm = isCalm ? m_run.calm + m_scene.world.step : 0;
 	if (end.firstBreak && numBroken() > 0)
 		m_run.ending = Ending::FirstBreak;
@@ -609,8 +641,45 @@ SimulationState Simulation::save()
 			state.cut.push_back({int(i), m_joints[i].joint->getState()});
 		else if (m_joints[i].isBroken && !m_joints[i].joint)
 			state.brokenBulletsOwn.push_back(int(i));
+	state.vehicles = vehicleStates();
 	beginControl();
 	return state;
+}
+
+std::vector<SimulationState::Vehicle> Simulation::vehicleStates() const
+{
+	std::unordered_map<const btRigidBody*, int> places;
+	for (size_t i = 0; i < m_bodies.size(); ++i)
+		places[m_bodies[i].body] = int(i);
+	std::vector<SimulationState::Vehicle> states;
+	for (const Driven& driven : m_vehicles)
+	{
+		const Vehicle::Memory memory = driven.vehicle->memory();
+		SimulationState::Vehicle state = {{}, double(memory.steer), driven.autopilot.progress()};
+		for (const Vehicle::Memory::Wheel& w : memory.wheels)
+		{
+			const auto ground = w.ground ? places.find(w.ground) : places.end();
+			state.wheels.push_back({double(w.turn), double(w.lastTurn), double(w.suspension), double(w.force),
+									ground == places.end() ? SceneDescription::WORLD : ground->second});
+		}
+		states.push_back(state);
+	}
+	return states;
+}
+
+/// Throws nothing: what does not fit has been refused.
+void Simulation::restoreVehicles(const std::vector<SimulationState::Vehicle>& states)
+{
+	for (size_t i = 0; i < m_vehicles.size(); ++i)
+	{
+		Vehicle::Memory memory;
+		memory.steer = btScalar(states[i].steer);
+		for (const SimulationState::Vehicle::Wheel& w : states[i].wheels)
+			memory.wheels.push_back(
+				{btScalar(w.turn), btScalar(w.lastTurn), btScalar(w.suspension), btScalar(w.force), body(w.ground)});
+		m_vehicles[i].vehicle->restore(memory);
+		m_vehicles[i].autopilot.setProgress(states[i].progress);
+	}
 }
 
 /// Into a simulation that has just been built.
@@ -645,11 +714,21 @@ void Simulation::restore(const SimulationState& state)
 			throw other;
 		else
 			m_joints[size_t(index)].constraint->setEnabled(false);
-	if (state.played.size() != m_run.played.size())
+	if (state.played.size() != m_run.played.size() || state.vehicles.size() != m_vehicles.size())
 		throw other;
+	for (size_t i = 0; i < m_vehicles.size(); ++i)
+	{
+		const auto& wheels = state.vehicles[i].wheels;
+		if (int(wheels.size()) != m_vehicles[i].vehicle->getNumWheels() ||
+			state.vehicles[i].progress.leg > m_scene.vehicles[i].route.size() ||
+			std::any_of(wheels.begin(), wheels.end(), [&](const auto& w) { return w.ground >= int(m_bodies.size()); }))
+			throw other;
+	}
+	restoreVehicles(state.vehicles);
 	m_run = state;
 	m_run.world.clear();
 	m_run.cut.clear();
+	m_run.vehicles.clear();
 	for (size_t i = 0; i < m_joints.size(); ++i)
 		m_joints[i].isBroken = isBroken(int(i));
 	beginControl();
@@ -661,6 +740,26 @@ btTransform Simulation::poseOf(int index) const
 {
 	const BuiltBody& built = m_bodies[size_t(index)];
 	return built.body ? built.body->getCenterOfMassTransform() * built.shape.centre.inverse() : built.start;
+}
+
+std::vector<Simulation::Wheel> Simulation::wheels() const
+{
+	const btScalar width = btScalar(.75);  // over the radius
+	// The axle is a wheel's x axis, and a cylinder's y.
+	const btTransform turn(btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI));
+	std::vector<Wheel> wheels;
+	for (size_t i = 0; i < m_vehicles.size(); ++i)
+		for (int k = 0; k < m_vehicles[i].vehicle->getNumWheels(); ++k)
+		{
+			const int body = m_scene.vehicles[i].body;
+			const btScalar radius = m_scene.vehicles[i].settings.wheelRadius;
+			SceneDescription::Shape shape;
+			shape.kind = SceneDescription::ShapeKind::Cylinder;
+			shape.size.setValue(radius, radius * width, 0);
+			wheels.push_back({m_scene.bodies[size_t(body)].name + "/wheel-" + std::to_string(k + 1), shape,
+							  m_vehicles[i].vehicle->getWheelInfo(k).m_worldTransform * turn, body});
+		}
+	return wheels;
 }
 
 bool Simulation::isBroken(int index) const

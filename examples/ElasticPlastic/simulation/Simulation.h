@@ -11,6 +11,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
 #include "scenefile/SceneDescription.h"
 #include "simulation/Shapes.h"
+#include "vehicle/Vehicle.h"
 #include "world/EnergyAudit.h"
 
 namespace ep
@@ -79,6 +80,19 @@ struct SimulationState
 		int index;
 	};
 
+	/// What a vehicle remembers beside its body.
+	struct Vehicle
+	{
+		struct Wheel
+		{
+			double turn, lastTurn, suspension, force;
+			int ground;  ///< body below it, WORLD: none that moves
+		};
+		std::vector<Wheel> wheels;
+		double steer;
+		Autopilot::Progress progress;
+	};
+
 	double time = 0, calm = 0;  ///< calm: for how long all has stood still [s]
 	double lastSubstep = 1;     ///< [s]
 	Ending ending = Ending::None;
@@ -91,6 +105,7 @@ struct SimulationState
 	std::vector<char> world;                                 ///< bodies, contacts and joints that it holds
 	std::vector<std::pair<int, btElasticPlasticState>> cut;  ///< joints that it does not hold any more
 	std::vector<int> brokenBulletsOwn;                       ///< joints of Bullet's
+	std::vector<Vehicle> vehicles;
 };
 
 /// A scene that is built and computed, step by step.
@@ -121,6 +136,16 @@ public:
 
 	/// In the world, and not removed.
 	bool isThere(int index) const { return body(index) && body(index)->isInWorld(); }
+	/// Of a vehicle, to be drawn: wheels are no bodies.
+	struct Wheel
+	{
+		std::string name;
+		SceneDescription::Shape shape;
+		btTransform pose;
+		int body;  ///< of the vehicle
+	};
+	std::vector<Wheel> wheels() const;
+
 	bool isBroken(int joint) const;
 	bool isCut(int joint) const { return m_joints[size_t(joint)].isCut; }  ///< taken out by the scene
 
@@ -169,14 +194,22 @@ private:
 		bool isCut = false, isBroken = false;
 	};
 
+	struct Driven
+	{
+		std::unique_ptr<Vehicle> vehicle;
+		Autopilot autopilot;
+	};
+
 	void beginControl();
 	void restore(const SimulationState& state);
 	void buildBodies();
+	void buildVehicles();
 	void addBody(size_t index);
 	void buildJoint(size_t index);
 	btTypedConstraint* makeBulletsOwn(const SceneDescription::Joint& joint, btRigidBody& a, btRigidBody& b);
 	void refuseOverlaps();
 	void substep(btScalar dt);
+	void driveVehicles(double dt);
 	void moveKinematic(double time);
 	void applyLoads(const std::vector<SceneDescription::Load>& loads, double time);
 	void applyBlasts(double time, double dt);
@@ -188,6 +221,8 @@ private:
 	void takeEvents();
 	void checkEnd();
 	double fastest() const;
+	std::vector<SimulationState::Vehicle> vehicleStates() const;
+	void restoreVehicles(const std::vector<SimulationState::Vehicle>& states);
 
 	SceneDescription m_scene;
 	std::vector<std::unique_ptr<btTriangleMesh>> m_meshes;  // before the world, whose shapes use them
@@ -195,6 +230,7 @@ private:
 	std::unique_ptr<World> m_world;
 	btRigidBody* m_anchor = nullptr;  // what the world is to joints
 	std::vector<BuiltBody> m_bodies;
+	std::vector<Driven> m_vehicles;
 	std::vector<BuiltJoint> m_joints;
 	std::unordered_map<const btElasticPlasticJoint*, int> m_indexOf;
 	std::unique_ptr<EnergyAudit> m_audit;

@@ -11,7 +11,7 @@ namespace
 {
 using nlohmann::json;
 
-const int STATE_VERSION = 2;
+const int STATE_VERSION = 3;
 const char* const PRECISION = sizeof(btScalar) == sizeof(double) ? "double" : "float";
 
 /// What is read or written of a joint's state: one list for both directions.
@@ -102,6 +102,33 @@ std::vector<SceneEvent> unpackEvents(const json& all)
 	return events;
 }
 
+json packVehicles(const std::vector<SimulationState::Vehicle>& vehicles)
+{
+	json all = json::array();
+	for (const auto& v : vehicles)
+	{
+		json wheels = json::array();
+		for (const auto& w : v.wheels)
+			wheels.push_back({w.turn, w.lastTurn, w.suspension, w.force, w.ground});
+		const Autopilot::Progress& p = v.progress;
+		all.push_back({wheels, v.steer, p.leg, p.facing, p.direction, p.waited});
+	}
+	return all;
+}
+
+std::vector<SimulationState::Vehicle> unpackVehicles(const json& all)
+{
+	std::vector<SimulationState::Vehicle> vehicles;
+	for (const json& v : all)
+	{
+		SimulationState::Vehicle vehicle = {{}, v.at(1), {v.at(2), v.at(3), v.at(4), v.at(5)}};
+		for (const json& w : v.at(0))
+			vehicle.wheels.push_back({w.at(0), w.at(1), w.at(2), w.at(3), w.at(4)});
+		vehicles.push_back(vehicle);
+	}
+	return vehicles;
+}
+
 SimulationState unpack(const json& packed)
 {
 	if (packed.at("version") != STATE_VERSION || packed.at("precision") != PRECISION)
@@ -124,6 +151,7 @@ SimulationState unpack(const json& packed)
 	for (const json& joint : packed.at("cut"))
 		s.cut.emplace_back(joint.at(0).get<int>(), unpackJoint(joint.at(1)));
 	packed.at("broken_bullets_own").get_to(s.brokenBulletsOwn);
+	s.vehicles = unpackVehicles(packed.at("vehicles"));
 	return s;
 }
 }  // namespace
@@ -148,7 +176,8 @@ json packState(const SimulationState& s)
 			{"changes", changes},
 			{"world", json::binary({s.world.begin(), s.world.end()})},
 			{"cut", cut},
-			{"broken_bullets_own", s.brokenBulletsOwn}};
+			{"broken_bullets_own", s.brokenBulletsOwn},
+			{"vehicles", packVehicles(s.vehicles)}};
 }
 
 SimulationState unpackState(const json& packed)

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/Controls.h"
+#include "vehicle/Controls.h"
 
 namespace ep
 {

@@ -3,6 +3,8 @@
 
 #include "vehicle/Vehicle.h"
 
+#include <algorithm>
+
 namespace ep
 {
 namespace
@@ -11,7 +13,7 @@ namespace
 btTransform chassisPose(const VehicleSettings& s, const btTransform& pose)
 {
 	const btVector3 up(0, 1, 0);
-	return pose * btTransform(btQuaternion(up, SIMD_HALF_PI), up * (s.wheelRadius - s.axleHeight));
+	return pose * btTransform(btQuaternion(up, SIMD_HALF_PI), up * s.chassisHeight());
 }
 
 btRigidBody& makeChassis(World& world, const VehicleSettings& s, const btTransform& pose)
@@ -50,10 +52,12 @@ struct RayThroughChassis : btCollisionWorld::ClosestRayResultCallback
 }  // namespace
 
 Vehicle::Vehicle(World& world, const VehicleSettings& settings, const btTransform& pose)
-	: btRaycastVehicle(btVehicleTuning(), &makeChassis(world, settings, pose), this),
-	  m_world(world),
-	  m_settings(settings),
-	  m_chassis(*getRigidBody())
+	: Vehicle(world, settings, makeChassis(world, settings, pose))
+{
+}
+
+Vehicle::Vehicle(World& world, const VehicleSettings& settings, btRigidBody& chassis)
+	: btRaycastVehicle(btVehicleTuning(), &chassis, this), m_world(world), m_settings(settings), m_chassis(chassis)
 {
 	const VehicleSettings& s = m_settings;
 	setCoordinateSystem(0, 1, 2);
@@ -70,12 +74,14 @@ Vehicle::Vehicle(World& world, const VehicleSettings& settings, const btTransfor
 					 btVector3(0, -1, 0), btVector3(-1, 0, 0), s.suspensionLength, s.wheelRadius, tuning, front);
 	// Before the first step there are no rays, but there may be a picture.
 	resetSuspension();
-	for (int i = 0; i < getNumWheels(); ++i)
-		updateWheelTransform(i, false);
-	m_world.beforeSubsteps([this](btScalar dt) { updateVehicle(dt); });
+	turnWheels();
 }
 
-Vehicle::~Vehicle() { m_world.beforeSubsteps(nullptr); }
+void Vehicle::turnWheels()
+{
+	for (int i = 0; i < getNumWheels(); ++i)
+		updateWheelTransform(i, false);
+}
 
 void Vehicle::place(const btTransform& pose)
 {
@@ -90,15 +96,34 @@ void Vehicle::place(const btTransform& pose)
 
 Vehicle::Memory Vehicle::memory() const
 {
-	return {std::vector<btWheelInfo>(&m_wheelInfo[0], &m_wheelInfo[0] + m_wheelInfo.size()), m_ground, m_steer};
+	Memory memory;
+	for (int i = 0; i < getNumWheels(); ++i)
+	{
+		const btWheelInfo& wheel = getWheelInfo(i);
+		memory.wheels.push_back({wheel.m_rotation, wheel.m_deltaRotation, wheel.m_raycastInfo.m_suspensionLength,
+								 wheel.m_wheelsSuspensionForce,
+								 size_t(i) < m_ground.size() ? m_ground[size_t(i)] : nullptr});
+	}
+	memory.steer = m_steer;
+	return memory;
 }
 
 void Vehicle::restore(const Memory& memory)
 {
-	for (size_t i = 0; i < memory.wheels.size(); ++i)
-		m_wheelInfo[int(i)] = memory.wheels[i];
-	m_ground = memory.ground;
+	m_ground.clear();
 	m_steer = memory.steer;
+	for (int i = 0; i < getNumWheels(); ++i)
+	{
+		const Memory::Wheel& remembered = memory.wheels[size_t(i)];
+		btWheelInfo& wheel = m_wheelInfo[i];
+		wheel.m_rotation = remembered.turn;
+		wheel.m_deltaRotation = remembered.lastTurn;
+		wheel.m_raycastInfo.m_suspensionLength = remembered.suspension;
+		wheel.m_wheelsSuspensionForce = remembered.force;
+		m_ground.push_back(remembered.ground);
+		steerWheel(i);
+	}
+	turnWheels();
 }
 
 btTransform Vehicle::pose() const
@@ -140,11 +165,16 @@ void Vehicle::drive(const Controls& controls, btScalar dt)
 	{
 		applyEngineForce(force / getNumWheels(), i);
 		setBrake((brake + s.rollingResistance) / getNumWheels(), i);
-		// Positive turns to the right; Bullet's angle is about the upward axis.
-		setSteeringValue(getWheelInfo(i).m_bIsFrontWheel ? -m_steer : m_steer, i);
+		steerWheel(i);
 	}
 	if (throttle != 0)
 		m_chassis.activate();
+}
+
+/// Positive turns to the right; Bullet's angle is about the upward axis.
+void Vehicle::steerWheel(int index)
+{
+	setSteeringValue(getWheelInfo(index).m_bIsFrontWheel ? -m_steer : m_steer, index);
 }
 
 void* Vehicle::castRay(const btVector3& from, const btVector3& to, btVehicleRaycasterResult& result)
@@ -209,6 +239,23 @@ void Vehicle::updateFriction(btScalar step)
 			updateWheel(i, wheelsOnGround, step);
 }
 
+/// A damper that is more would throw about a ground that is light for the step: all wheels on it do no more than stop it.
+btScalar Vehicle::steadyDamping(int index, btScalar step) const
+{
+	const btRigidBody* const ground = m_ground[size_t(index)];
+	if (ground->getInvMass() == 0)
+		return BT_LARGE_FLOAT;
+	const auto& contact = m_wheelInfo[index].m_raycastInfo;
+	const btScalar wheels = btScalar(std::count(m_ground.begin(), m_ground.end(), ground));
+	return massAt(m_chassis, *ground, contact.m_contactPointWS, contact.m_contactNormalWS) / (wheels * step);
+}
+
+btScalar Vehicle::springForce(const btWheelInfo& wheel) const
+{
+	const btScalar pressed = wheel.getSuspensionRestLength() - wheel.m_raycastInfo.m_suspensionLength;
+	return wheel.m_suspensionStiffness * pressed * wheel.m_clippedInvContactDotSuspension * m_settings.mass;
+}
+
 void Vehicle::updateWheel(int index, int wheelsOnGround, btScalar step)
 {
 	btWheelInfo& wheel = m_wheelInfo[index];
@@ -218,9 +265,11 @@ void Vehicle::updateWheel(int index, int wheelsOnGround, btScalar step)
 	// The chassis has this from btRaycastVehicle; its damper, though, took the ground for fixed.
 	btScalar& force = wheel.m_wheelsSuspensionForce;
 	const btScalar given = btMin(force, wheel.m_maxSuspensionForce);
-	const btScalar damping = wheel.m_wheelsDampingCompression * m_settings.mass;
-	force =
-		btMax(btScalar(0), btMin(given + damping * velocityAt(ground, point).dot(normal), wheel.m_maxSuspensionForce));
+	const btScalar damping = wheel.m_wheelsDampingCompression * m_settings.mass, steady = steadyDamping(index, step);
+	const btScalar wanted = damping <= steady ? given + damping * velocityAt(ground, point).dot(normal)
+											  : springForce(wheel) + steady * (velocityAt(ground, point).dot(normal) -
+																			   wheel.m_suspensionRelativeVelocity);
+	force = btMax(btScalar(0), btMin(wanted, wheel.m_maxSuspensionForce));
 	m_chassis.applyImpulse(normal * ((force - given) * step), point - m_chassis.getCenterOfMassPosition());
 	loadGround(index, normal * -force);
 

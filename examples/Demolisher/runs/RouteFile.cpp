@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include "vehicle/RouteFile.h"
+#include "runs/RouteFile.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,11 +12,9 @@ namespace ep
 {
 namespace
 {
-using Json = nlohmann::json;
-
 [[noreturn]] void refuse(const std::string& what) { throw std::runtime_error(what); }
 
-void checkKeys(const Json& object, const std::vector<std::string>& known, const std::string& where)
+void checkKeys(const nlohmann::json& object, const std::vector<std::string>& known, const std::string& where)
 {
 	std::string all;
 	for (const std::string& key : known)
@@ -28,25 +26,26 @@ void checkKeys(const Json& object, const std::vector<std::string>& known, const 
 			refuse(where + " has the unknown key " + shown(item.key()) + "; known are " + all);
 }
 
-btScalar number(const Json& leg, const char* key, double otherwise, double low, double high, const std::string& where)
+btScalar number(const nlohmann::json& leg, const char* key, double otherwise, double low, double high,
+				const std::string& where)
 {
 	if (!leg.contains(key))
 		return btScalar(otherwise);
-	const Json& value = leg.at(key);
+	const nlohmann::json& value = leg.at(key);
 	if (!value.is_number() || !(value.get<double>() >= low && value.get<double>() <= high))
-		refuse(where + ": " + key + " is " + shown(value) + "; it must be a number from " + Json(low).dump() + " to " +
-			   Json(high).dump());
+		refuse(where + ": " + key + " is " + shown(value) + "; it must be a number from " + nlohmann::json(low).dump() +
+			   " to " + nlohmann::json(high).dump());
 	return btScalar(value.get<double>());
 }
 
-Leg toLeg(const Json& json, const std::string& where)
+Leg toLeg(const nlohmann::json& json, const std::string& where)
 {
 	checkKeys(json, {"to_x_m", "speed_m_s", "stop", "wait_s"}, where);
 	Leg leg;
 	leg.drives = json.contains("to_x_m");
 	if (!leg.drives && !json.contains("wait_s"))
 		refuse(where + " needs to_x_m to drive, or wait_s to wait");
-	leg.to = number(json, "to_x_m", 0, -5000, 5000, where);
+	leg.to.setX(number(json, "to_x_m", 0, -5000, 5000, where));
 	leg.speed = number(json, "speed_m_s", double(leg.speed), .5, 26, where);
 	leg.wait = number(json, "wait_s", 0, 0, 3600, where);
 	if (json.contains("stop"))
@@ -62,7 +61,7 @@ Leg toLeg(const Json& json, const std::string& where)
 Route readRoute(const std::string& file)
 {
 	const std::string where = "the autopilot's file '" + file + "' (--autopilot)";
-	Json json;
+	nlohmann::json json;
 	try
 	{
 		json = readJson(file);
@@ -75,7 +74,7 @@ Route readRoute(const std::string& file)
 	if (!json.contains("legs") || !json.at("legs").is_array() || json.at("legs").empty())
 		refuse(where + " must have the key legs, a list of at least one, such as [{\"to_x_m\": 60}]");
 	Route route;
-	for (const Json& leg : json.at("legs"))
+	for (const nlohmann::json& leg : json.at("legs"))
 		route.push_back(toLeg(leg, where + ", leg " + std::to_string(route.size() + 1)));
 	return route;
 }

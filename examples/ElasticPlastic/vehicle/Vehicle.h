@@ -6,33 +6,12 @@
 
 #include <vector>
 
-#include "drawing/Controls.h"
+#include "vehicle/Controls.h"
+#include "vehicle/VehicleSettings.h"
 #include "world/World.h"
 
 namespace ep
 {
-/// A heavy dump truck. SI units; the vehicle's own frame is Bullet's usual one: x left, y up, z forward.
-struct VehicleSettings
-{
-	btScalar mass = 50000;                                        ///< [kg]
-	btVector3 size = btVector3(btScalar(2.8), btScalar(1.5), 7);  ///< of the box: width, height, length [m]
-	btScalar wheelRadius = btScalar(.8);                          ///< [m]
-	btScalar wheelBase = btScalar(4.2);                           ///< between the axles [m]
-	btScalar track = btScalar(2.7);                               ///< between the wheels of an axle [m]
-	btScalar axleHeight = btScalar(-.7);                          ///< of the unloaded wheels, from the box's centre [m]
-	btScalar suspensionLength = btScalar(.5);                     ///< unloaded [m]
-	btScalar suspensionStiffness = 50;                            ///< of a wheel, over the vehicle's mass [1/s^2]
-	btScalar suspensionDamping = btScalar(4.5);                   ///< of a wheel, over the vehicle's mass [1/s]
-	btScalar grip = btScalar(.8);                                 ///< friction of the tyres
-	btScalar driveForce = 220e3;                                  ///< of all wheels at low speed [N]
-	btScalar power = 1200e3;                                      ///< of the engine [W]
-	btScalar brakeForce = 250e3;                                  ///< of all wheels [N]
-	btScalar topSpeed = btScalar(95 / 3.6);                       ///< [m/s]
-	btScalar rollingResistance = 7.5e3;                           ///< of all wheels [N]
-	btScalar airDrag = btScalar(.5 * 1.2 * .9 * 9);               ///< rho/2 c_d A [N s^2/m^2]
-	btScalar maxSteer = btScalar(.3);  ///< of all wheels, the rear ones against the front ones [rad]
-};
-
 /// Bullet's ray-cast vehicle on a ground that feels it.
 ///
 /// btRaycastVehicle gives the suspension's and the tyres' impulses to the chassis only and takes all ground as fixed: a
@@ -46,7 +25,9 @@ class Vehicle : private btVehicleRaycaster, public btRaycastVehicle
 public:
 	/// The pose is that of the ground below the vehicle, x forward.
 	Vehicle(World& world, const VehicleSettings& settings, const btTransform& pose);
-	~Vehicle() override;
+
+	/// On a chassis of the settings' mass and size, in whose frame x is left, y up and z forward.
+	Vehicle(World& world, const VehicleSettings& settings, btRigidBody& chassis);
 
 	/// Puts it there, at rest.
 	void place(const btTransform& pose);
@@ -61,12 +42,23 @@ public:
 	/// Sets engine, brakes and steering for the next step of dt.
 	void drive(const Controls& controls, btScalar dt);
 
+	/// Wheels go with the body: after a step, to be drawn.
+	void turnWheels();
+
+	/// Takes what it stands on into account, and pushes it and the vehicle: before each substep.
+	void updateVehicle(btScalar step) override;
+
 	/// What it remembers from step to step beside its body.
 	struct Memory
 	{
-		std::vector<btWheelInfo> wheels;
-		std::vector<btRigidBody*> ground;
-		btScalar steer;
+		struct Wheel
+		{
+			btScalar turn = 0, lastTurn = 0;     ///< about its axle, in all and in the last step [rad]
+			btScalar suspension = 0, force = 0;  ///< length [m], force [N]
+			btRigidBody* ground = nullptr;       ///< null: none
+		};
+		std::vector<Wheel> wheels;
+		btScalar steer = 0;
 	};
 	Memory memory() const;
 	void restore(const Memory& memory);
@@ -77,12 +69,13 @@ public:
 	/// The suspension's force of all wheels in the last substep, whatever they stand on [N].
 	btScalar wheelForce() const;
 
-	void updateVehicle(btScalar step) override;
-	void updateFriction(btScalar step) override;
-
 private:
+	void updateFriction(btScalar step) override;
+	void steerWheel(int index);
 	void* castRay(const btVector3& from, const btVector3& to, btVehicleRaycasterResult& result) override;
 	bool sleeps();
+	btScalar steadyDamping(int index, btScalar step) const;
+	btScalar springForce(const btWheelInfo& wheel) const;
 	void updateWheel(int index, int wheelsOnGround, btScalar step);
 	void applyTyre(int wheel, const btVector3& impulse, btScalar step);
 	void loadGround(int wheel, const btVector3& force);
