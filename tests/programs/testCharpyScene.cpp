@@ -23,7 +23,7 @@ TEST(Charpy, WindowShowsThreeViewsAndEnergiesAsTheyGo)
 	ASSERT_EQ(10u, drawing.chart.x.size());
 	// What is stacked is what the hammer has lost, and what it is made of has a name.
 	float sum = 0;
-	for (const Chart::Band& band : drawing.chart.bands)
+	for (const Chart::Series& band : drawing.chart.bands)
 		sum += band.values.back();
 	const Result r = scene.charpy().result();
 	EXPECT_NEAR(r.loss(), sum, 0.005 * r.loss());  // as the audit closes

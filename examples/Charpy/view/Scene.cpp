@@ -67,7 +67,7 @@ Drawing Scene::draw() const
 		drawing.chart.x.push_back(float(r.duration * 1e3));
 	for (const auto& share : SHARES)
 	{
-		Chart::Band band = {share.colour, {}};
+		Chart::Series band = {share.colour, {}};
 		for (const Result& r : m_history)
 			band.values.push_back(float(share.energy(r)));
 		drawing.chart.bands.push_back(band);

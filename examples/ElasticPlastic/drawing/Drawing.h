@@ -56,6 +56,16 @@ struct Skin
 std::vector<btVector3> boxOutline(btScalar height, btScalar width, btScalar middle = 0);
 std::vector<btVector3> circleOutline(btScalar radius);
 
+/// A little cloud that hides nothing wholly, or the trace of a spark. It throws no shadow.
+struct Puff
+{
+	btVector3 place;
+	btVector3 trace;  ///< it is drawn out by that to both sides [m]
+	float radius;
+	Colour colour;  ///< above 1 it glows
+	float opacity;  ///< in its middle, 0 to 1
+};
+
 /// From a point to a point, upright.
 struct Camera
 {
@@ -68,20 +78,23 @@ struct View
 	std::vector<Part> parts;
 	Camera camera;
 	std::vector<Skin> skins = {};
+	std::vector<Puff> puffs = {};
 };
 
-/// Quantities over another, stacked from below.
+/// Quantities over another one, which grows. Axes reach from 0 to it, or beyond it.
 struct Chart
 {
-	struct Band
+	struct Series
 	{
 		Colour colour;
-		std::vector<float> values;  ///< one for each x
+		std::vector<float> values;  ///< one for each x, left out where it is not finite
 	};
 
 	std::string title, xUnit;
 	std::vector<float> x;
-	std::vector<Band> bands;
+	std::vector<Series> bands;  ///< stacked from below
+	std::vector<Series> lines;
+	float limit = 0;  ///< a line of its own on both sides of 0, once half of it is reached; 0: none
 };
 
 /// All there is to see at a moment. The ground is the plane y = 0.
@@ -95,6 +108,7 @@ struct Drawing
 
 	std::vector<Part> parts;
 	std::vector<Skin> skins;
+	std::vector<Puff> puffs;
 	btTransform subject = btTransform::getIdentity();  ///< what a camera follows, x forward
 	std::vector<View> views;        ///< with cameras of their own: the first one large, others beside it
 	std::vector<std::string> text;  ///< lines for the reader

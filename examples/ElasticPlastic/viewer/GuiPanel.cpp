@@ -184,7 +184,13 @@ void GuiPanel::plot(const char* title, const Curve& curve)
 	const int width = int(ImGui::GetContentRegionAvail().x), height = int(5.2f * ImGui::GetFontSize());
 	ImGui::Dummy(ImVec2(float(width), float(height)));
 	const brush::InPanel inPanel;
-	drawHistory(curve, {int(from.x), int(from.y), width, height});
+	Chart chart;
+	chart.xUnit = "s";
+	chart.limit = float(curve.limit);
+	for (size_t i = 0; i < values.size(); ++i)
+		chart.x.push_back(float(curve.step * (double(i) + 1 - double(values.size()))));
+	chart.lines.push_back({{.8f, .8f, .8f}, values});
+	drawChart(chart, {int(from.x), int(from.y), width, height});
 }
 
 void GuiPanel::figure(const Figure& figure)
