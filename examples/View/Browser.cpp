@@ -107,6 +107,30 @@ void Browser::jump(int number)
 		m_scene->jump(number);
 }
 
+void Browser::drag(const Ray& ray)
+{
+	if (m_scene)
+		m_scene->drag(ray);
+}
+
+void Browser::release()
+{
+	if (m_scene)
+		m_scene->release();
+}
+
+void Browser::throwBall(const Ray& ray)
+{
+	if (m_scene)
+		m_scene->throwBall(ray);
+}
+
+void Browser::blowCharge(const Ray& ray)
+{
+	if (m_scene)
+		m_scene->blowCharge(ray);
+}
+
 void Browser::key(char key)
 {
 	if (m_scene)

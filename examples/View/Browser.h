@@ -26,10 +26,19 @@ public:
 	Bounds bounds() const override;
 	btVector3 sight() const override { return m_scene ? m_scene->sight() : ViewedScene::sight(); }
 	bool isDriven() const override { return m_scene && m_scene->isDriven(); }
+	btScalar closeness() const override { return m_scene ? m_scene->closeness() : 0; }
 	std::vector<std::string> panels() const override;
 	int panelWidth() const override { return m_scene ? ViewedScene::panelWidth() : 2 * ViewedScene::panelWidth(); }
 	void panel(size_t number, Panel& panel) override;
 	void jump(int number) override;
+	bool grab(const Ray& ray) override { return m_scene && m_scene->grab(ray); }
+	void drag(const Ray& ray) override;
+	void release() override;
+	void throwBall(const Ray& ray) override;
+	void blowCharge(const Ray& ray) override;
+	std::vector<Burst> bursts() const override { return m_scene ? m_scene->bursts() : ViewedScene::bursts(); }
+	bool goBack() override { return m_scene && m_scene->goBack(); }
+	bool isBreaking() const override { return m_scene && m_scene->isBreaking(); }
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
 

@@ -42,7 +42,6 @@ struct Options
 		app.add_option_function<int>("--substeps", substeps, "Of each step, whatever error they leave")
 			->check(ep::optionRange<int>(1, 10000))
 			->excludes(error);
-		window.camera = ep::WindowCamera::Side;
 		ep::addWindowOptions(app, window);
 	}
 

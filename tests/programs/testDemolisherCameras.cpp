@@ -93,6 +93,31 @@ TEST(Cameras, WhatIsFollowedStandsInTheMiddleOfWhatPanelsLeave)
 	EXPECT_NEAR(Picture(camera, 1.78).y(target), .5, ROUNDING);
 }
 
+TEST(Demolisher, CameraThatFollowsSeesWhatTheVehicleStrikes)
+{
+	for (Scene which : {Scene::Gate, Scene::Fence, Scene::Rod, Scene::House})
+	{
+		DemolisherScene scene(only(which));
+		EXPECT_EQ(scene.closeness(), 0) << "from behind at first";
+		scene.setAutopilot(true);
+		const double place = double(scene.demolisher().settings().placeOf(which));
+		const auto nose = [&scene]
+		{ return scene.demolisher().vehicle().pose() * btVector3(btScalar(3.9), btScalar(-.5), 0); };
+		while (double(nose().x()) < place)
+			scene.step(Controls());
+		EXPECT_EQ(scene.closeness(), 1);
+		// A ray from the eye meets the structure or nothing before it comes to the blade, but no vehicle.
+		const Camera camera = chaseCamera(scene.demolisher().vehicle().pose(), scene.closeness());
+		const RayHit hit = castRay(scene.demolisher().world(), camera.eye, nose() - camera.eye);
+		EXPECT_TRUE(hit.hasHit);
+		EXPECT_NE(hit.body, &scene.demolisher().vehicle().chassis());
+		const Camera behind = chaseCamera(scene.demolisher().vehicle().pose());
+		EXPECT_EQ(castRay(scene.demolisher().world(), behind.eye, nose() - behind.eye).body,
+				  &scene.demolisher().vehicle().chassis())
+			<< "which would hide it";
+	}
+}
+
 TEST(Demolisher, CameraThatStandsSeesEachStructureAndTheVehicleThatStrikesIt)
 {
 	for (size_t i = 0; i < scenes().size(); ++i)

@@ -211,6 +211,53 @@ TEST(Demolisher, GoesBackToBeforeTheCrashWithTheSameBits)
 	EXPECT_EQ(scene.demolisher().balls().size(), 0u);
 }
 
+TEST(Demolisher, WhatBreaksIsSeenAndHeard)
+{
+	for (Scene which : {Scene::Rod, Scene::Fence})
+	{
+		DemolisherScene scene(only(which));
+		scene.setAutopilot(true);
+		std::vector<Burst> breaks;
+		bool struck = false;
+		while (breaks.empty() && scene.demolisher().time() < 20)
+		{
+			scene.step(Controls());
+			for (const Burst& burst : scene.bursts())
+			{
+				struck = struck || burst.kind == Burst::Kind::Blow;
+				if (burst.kind == Burst::Kind::Break)
+					breaks.push_back(burst);
+			}
+		}
+		ASSERT_FALSE(breaks.empty());
+		EXPECT_TRUE(struck) << "by the vehicle, before";
+		EXPECT_EQ(int(breaks.size()), scene.demolisher().summary().broken);
+		EXPECT_EQ(breaks[0].isSteel, which == Scene::Rod);
+		EXPECT_GT(breaks[0].energy, 100);
+		EXPECT_FALSE(scene.draw().puffs.empty());
+		scene.restart();
+		EXPECT_TRUE(scene.draw().puffs.empty());
+	}
+}
+
+TEST(Demolisher, ChargeGoesOffWhereTheMousePoints)
+{
+	DemolisherScene scene(only(Scene::House));
+	scene.blowCharge({btVector3(0, 5, 0), btVector3(0, 1, 0)});  // the sky
+	scene.step(Controls());
+	EXPECT_TRUE(scene.bursts().empty());
+	const Beam& column = scene.demolisher().structure(Scene::House)->beams().front();
+	const btVector3 eye(column.m_parts.front()->getCenterOfMassPosition() + btVector3(0, 0, -20));
+	scene.blowCharge({eye, btVector3(0, 0, 1)});
+	scene.step(Controls());
+	ASSERT_FALSE(scene.bursts().empty());
+	EXPECT_EQ(scene.bursts()[0].kind, Burst::Kind::Charge);
+	for (int i = 0; i < 60; ++i)
+		scene.step(Controls());
+	EXPECT_GT(scene.demolisher().summary().broken, 0);
+	EXPECT_TRUE(scene.demolisher().summary().isFinite());
+}
+
 TEST(Demolisher, HandPullsWhatItMeetsAndChoosesItsJoint)
 {
 	DemolisherScene scene(only(Scene::Rod));

@@ -109,6 +109,16 @@ TEST(Samples, WhatIsClickedInTheListOpens)
 	browser.step(Controls());
 	EXPECT_FALSE(browser.draw().parts.empty());
 	EXPECT_EQ(browser.panels().size(), 2u);
+	// What is open takes the mouse.
+	const size_t parts = browser.draw().parts.size();
+	browser.throwBall({btVector3(0, 5, 20), btVector3(0, 0, -1)});
+	browser.blowCharge({btVector3(0, 5, 20), btVector3(0, -1, 0)});
+	browser.step(Controls());
+	EXPECT_GT(browser.draw().parts.size(), parts);
+	EXPECT_FALSE(browser.bursts().empty());
+	const btVector3 gate = browser.bounds().centre();
+	EXPECT_FALSE(browser.grab({gate, btVector3(0, 1, 0)})) << "the sky";
+	EXPECT_TRUE(browser.goBack());
 
 	// What cannot be opened is told, and what was open stays.
 	click.group = "Broken";

@@ -99,6 +99,27 @@ TEST(LiveScene, MousePullsBodies)
 	scene.step(Controls());
 }
 
+TEST(LiveScene, ChargeTearsTheMastWithSparks)
+{
+	const TemporaryFolder folder;
+	LiveScene scene(folder.write("scene.json", R"({"version": 1, "world": {"ground": true, "error": 0.01},
+		"materials": {"brittle": {"yield_stress": 2e7, "ultimate_plastic_strain": 1e-4}},
+		"structures": [{"beam": {"name": "mast", "material": "brittle", "section": {"rectangle": [0.2, 0.2]},
+			"from": [0, 0, 0], "to": [0, 4, 0], "parts": 4, "up": [1, 0, 0], "end": "free"}}]})"));
+	scene.blowCharge({btVector3(0, btScalar(.5), 10), btVector3(0, 0, -1)});
+	bool breaks = false;
+	for (int i = 0; i < 60 && !breaks; ++i)
+	{
+		scene.step(Controls());
+		for (const Burst& burst : scene.bursts())
+			breaks = breaks || (burst.kind == Burst::Kind::Break && burst.isSteel);
+	}
+	EXPECT_TRUE(breaks);
+	EXPECT_FALSE(scene.draw().puffs.empty());
+	scene.restart();
+	EXPECT_TRUE(scene.draw().puffs.empty());
+}
+
 TEST(LiveScene, MouseThrowsBalls)
 {
 	const TemporaryFolder folder;

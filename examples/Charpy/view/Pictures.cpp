@@ -8,7 +8,7 @@
 
 #include "view/Drawing.h"
 #ifdef EP_WITH_PICTURES
-#include "picture/Raster.h"
+#include "picture/Picture.h"
 #endif
 
 namespace ep::charpy

@@ -13,7 +13,7 @@
 #include "text/OutputFiles.h"
 #include "drawing/Cameras.h"
 #ifdef EP_WITH_PICTURES
-#include "picture/Raster.h"
+#include "picture/Picture.h"
 #endif
 
 namespace ep
@@ -29,7 +29,7 @@ void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless,
 #ifdef EP_WITH_PICTURES
 	const Drawing drawing = scene.draw();
 	const std::string file = (std::filesystem::path(headless.out) / (name + ".png")).string();
-	writePng(file, drawPicture({drawing.parts, camera, drawing.skins}, headless.width, headless.height));
+	writePng(file, drawPicture({drawing.parts, camera, drawing.skins, drawing.puffs}, headless.width, headless.height));
 	std::printf("  picture %s\n", file.c_str());
 #else
 	(void)scene, (void)headless, (void)name, (void)camera;

@@ -7,12 +7,22 @@
 #include <cmath>
 
 #include "text/Format.h"
+#include "world/Charge.h"
 
 namespace ep
 {
 namespace
 {
 const double LONGEST_PAST = 10, MOMENTS_APART = .25;  // [s]
+
+bool isOfSteel(const Structure& structure, const btElasticPlasticJoint& joint)
+{
+	for (const Beam& beam : structure.beams())
+		for (const btElasticPlasticJoint* own : beam.joints())
+			if (own == &joint)
+				return beam.settings().material.m_loadBearingShare >= 1;
+	return false;
+}
 
 void addRoad(Drawing& drawing, btScalar width)
 {
@@ -23,12 +33,24 @@ void addRoad(Drawing& drawing, btScalar width)
 
 void DemolisherScene::step(const Controls& controls)
 {
+	m_effects.beforeStep(m_demolisher->world());
 	if (m_autopilot)
 		m_demolisher->stepByAutopilot();
 	else
 		m_demolisher->step(controls);
+	addBreaks();
+	m_effects.afterStep(m_demolisher->world(), m_settings.step);
 	m_history.step(*m_demolisher);
 	remember();
+}
+
+void DemolisherScene::addBreaks()
+{
+	const JointLog& log = m_demolisher->joints();
+	for (const JointRecord& record : log.records())
+		if (record.breakTime == m_demolisher->time())
+			m_effects.add({Burst::Kind::Break, record.joint->getPosition(), log.read(record).plasticEnergy,
+						   isOfSteel(*m_demolisher->structure(record.scene), *record.joint)});
 }
 
 /// Not while the hand pulls: what it has in the world is not there when one goes back.
@@ -56,6 +78,7 @@ bool DemolisherScene::goBack()
 	if (m_past.empty() || !m_demolisher->goBack(m_past.back()))
 		return false;
 	m_history.clear();
+	m_effects.clear();
 	return true;
 }
 
@@ -99,8 +122,19 @@ void DemolisherScene::throwBall(const Ray& ray)
 	m_demolisher->throwBall(ray.from + direction * ahead, direction * speed);
 }
 
+void DemolisherScene::blowCharge(const Ray& ray)
+{
+	const double mass = 200, heat = 4.2e6;  // [kg] of TNT, [J/kg]
+	const RayHit hit = castRay(m_demolisher->world(), ray.from, ray.direction);
+	if (!hit.hasHit)
+		return;
+	ep::blowCharge(m_demolisher->world(), hit.place, mass);
+	m_effects.add({Burst::Kind::Charge, hit.place, mass * heat, false});
+}
+
 void DemolisherScene::restart()
 {
+	m_effects.clear();
 	m_past.clear();
 	m_hand.reset();
 	m_demolisher.reset(new Demolisher(m_settings));
@@ -151,6 +185,7 @@ Drawing DemolisherScene::draw() const
 		addSphere(drawing.parts, ball->getCenterOfMassTransform(),
 				  static_cast<const btSphereShape*>(ball->getCollisionShape())->getRadius(), {.05f, .05f, .06f});
 	addParts(drawing.parts, m_demolisher->vehicle());
+	drawing.puffs = m_effects.puffs();
 	drawing.subject = m_demolisher->vehicle().pose();
 
 	const DemolisherSummary s = m_demolisher->summary();
@@ -181,6 +216,18 @@ Scene DemolisherScene::ahead() const
 			return scene;
 	}
 	return way.back();
+}
+
+/// The bridge is driven on: it is seen from behind.
+btScalar DemolisherScene::closeness() const
+{
+	const btScalar far = 22, near = 10;
+	btScalar least = far;
+	for (Scene scene : m_settings.onTheWay())
+		if (scene != Scene::Bridge)
+			least = btMin(least, btFabs(m_demolisher->vehicle().pose().getOrigin().x() - m_settings.placeOf(scene)));
+	const btScalar share = btMin(btScalar(1), (far - least) / (far - near));
+	return share * share * (3 - 2 * share);
 }
 
 Bounds DemolisherScene::bounds() const

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "drawing/ViewedScene.h"
+#include "effects/Effects.h"
 #include "view/JointHistory.h"
 #include "view/Parts.h"
 #include "world/Hand.h"
@@ -46,10 +47,13 @@ public:
 	Bounds bounds() const override;
 	btVector3 sight() const override { return sightOf(ahead()); }
 	bool isDriven() const override { return true; }
+	btScalar closeness() const override;
 	bool grab(const Ray& ray) override;
 	void drag(const Ray& ray) override { m_hand->drag(ray.from, ray.direction); }
 	void release() override { m_hand->release(); }
 	void throwBall(const Ray& ray) override;
+	void blowCharge(const Ray& ray) override;
+	std::vector<Burst> bursts() const override { return m_effects.bursts(); }
 	bool goBack() override;
 	bool isBreaking() const override;
 	void key(char key) override;
@@ -61,6 +65,7 @@ public:
 private:
 	Scene ahead() const;
 	void remember();
+	void addBreaks();
 	void dashboard(Panel& panel);
 	void jointTable(Panel& panel);
 	void jointPlots(Panel& panel);
@@ -78,6 +83,7 @@ private:
 	bool m_autopilot = false, m_remembers = false;
 	Bounds m_built[SCENE_COUNT];  ///< structures before anything has struck them, by scene
 	PartStyle m_style;
+	Effects m_effects;
 	JointHistory m_history;  ///< of the joint that a person has chosen
 };
 }  // namespace ep

@@ -30,7 +30,8 @@ void addWindowOptions(CLI::App& app, WindowOptions& o)
 	app.add_option("--seconds", o.recordTime, "Length of the film [s]")
 		->capture_default_str()
 		->check(optionRange(0.1, 36000));
-	addNamedOption(app, "--camera", o.camera, "Camera that the window begins with; own: the scene's, else chase",
+	addNamedOption(app, "--camera", o.camera,
+				   "Camera that the window begins with; own: the scene's, else chase of what is driven, else side",
 				   windowCameras());
 	app.add_option_function<std::vector<int>>(
 		   "--size",
@@ -42,11 +43,13 @@ void addWindowOptions(CLI::App& app, WindowOptions& o)
 		   "Of the window, width and height [pixels]")
 		->default_str(std::to_string(o.width) + " " + std::to_string(o.height))
 		->expected(2)
+		->allow_extra_args(false)
 		->check(optionRange<int>(100, 16384));
 	app.add_option("--text-size", o.textSize, "Height of the window's text [pixels], 0: by the screen's resolution")
 		->capture_default_str()
 		->check(optionRange(0, 100));
 	app.add_flag("--film-panel", o.filmPanel, "A film made by --record shows the panels");
+	app.add_flag("--no-sound", o.isSilent, "The window begins without sound");
 	app.add_flag("--no-panel", o.noPanel, "The window begins without its panel");
 }
 }  // namespace ep

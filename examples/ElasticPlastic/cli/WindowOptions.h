@@ -16,7 +16,7 @@ namespace ep
 /// The camera that a window begins with.
 enum class WindowCamera
 {
-	Own,  ///< the scene's, or Chase if it has none
+	Own,  ///< the scene's; if it has none Chase of what is driven, else Side
 	Chase,
 	Free,
 	Side
@@ -33,6 +33,7 @@ struct WindowOptions
 	double recordTime = 20;     ///< its length [s]
 	double textSize = 0;        ///< of a line [pixels]; 0: by the screen's resolution
 	bool noPanel = false;       ///< hidden at the beginning, where the scene has one
+	bool isSilent = false;      ///< at the beginning
 	bool filmPanel = false;     ///< shown in a film
 
 	/// Is there a picture or a film to make, for which there must be a window?

@@ -76,14 +76,15 @@ Camera framingCamera(const Bounds& bounds, const btVector3& direction, float asp
 	return camera;
 }
 
-Camera chaseCamera(const btTransform& subject)
+Camera chaseCamera(const btTransform& subject, btScalar closeness)
 {
 	btVector3 heading = subject.getBasis().getColumn(0);
 	heading.setY(0);
 	heading = heading.length2() > 0 ? heading.normalized() : btVector3(1, 0, 0);
 	const btVector3 side = heading.cross(btVector3(0, 1, 0));
 	Camera camera;
-	camera.eye = subject.getOrigin() - heading * 12 + side * btScalar(6.5) + btVector3(0, btScalar(5.8), 0);
+	const btVector3 behind = side * btScalar(6.5) - heading * 12, beside = side * 18 + heading * 6;
+	camera.eye = subject.getOrigin() + behind.lerp(beside, closeness) + btVector3(0, btScalar(5.8), 0);
 	camera.target = subject.getOrigin() + heading * 5;
 	return camera;
 }

@@ -19,8 +19,9 @@ struct Margins
 /// \param aspect  the picture's width over its height
 Camera framingCamera(const Bounds& bounds, const btVector3& direction, float aspect, const Margins& margins = {});
 
-/// Behind the subject and above it, and from so far to the side that what it drives at is seen.
-Camera chaseCamera(const btTransform& subject);
+/// Behind the subject, above it and a little to the side; beside it where it is close to what it drives at, which it would hide.
+/// \param closeness  from 0, far away, to 1
+Camera chaseCamera(const btTransform& subject, btScalar closeness = 0);
 
 /// Moved aside until its target is in the middle between the left and the right margin, and back if that is narrow.
 Camera movedAside(Camera camera, float aspect, const Margins& margins);

@@ -5,6 +5,7 @@
 #define EP_VIEWED_SCENE_H
 
 #include "drawing/Bounds.h"
+#include "drawing/Burst.h"
 #include "drawing/Drawing.h"
 #include "drawing/Panel.h"
 #include "vehicle/Controls.h"
@@ -30,6 +31,8 @@ public:
 
 	/// Whether controls do something.
 	virtual bool isDriven() const { return false; }
+	/// From 0, far away, to 1: how close what is driven is to what it strikes, and hides from whoever follows.
+	virtual btScalar closeness() const { return 0; }
 	/// Titles of what stands beside the picture: at most two, on the left and on the right.
 	virtual std::vector<std::string> panels() const { return {}; }
 	/// Of each, in lines of text.
@@ -47,6 +50,10 @@ public:
 	virtual void drag(const Ray&) {}
 	virtual void release() {}
 	virtual void throwBall(const Ray&) {}
+	/// A charge goes off where the ray meets something.
+	virtual void blowCharge(const Ray&) {}
+	/// What broke, struck and went off in the last step, to be heard.
+	virtual std::vector<Burst> bursts() const { return {}; }
 	/// To before the last crash. \return whether there was one to go back from
 	virtual bool goBack() { return false; }
 	/// Whether something is breaking just now: a person may want to see it slowly.

@@ -3,6 +3,9 @@
 
 #include "picture/Mesh.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace ep
 {
 namespace
@@ -163,6 +166,29 @@ std::vector<Vertex> makeMesh(const std::vector<Part>& parts, const std::vector<S
 	for (const Skin& skin : skins)
 		if (skin.stations.size() > 1)
 			SkinMesh(skin, vertices).add();
+	return vertices;
+}
+
+std::vector<Vertex> makeMesh(std::vector<Puff> puffs, const Camera& camera)
+{
+	const auto distance = [&camera](const Puff& puff) { return (puff.place - camera.eye).length2(); };
+	std::stable_sort(puffs.begin(), puffs.end(),
+					 [&](const Puff& a, const Puff& b) { return distance(a) > distance(b); });
+	std::vector<Vertex> vertices;
+	for (const Puff& puff : puffs)
+	{
+		const btVector3 sight = puff.place - camera.eye, upright(0, 1, 0);
+		const bool isDrawnOut = puff.trace.cross(sight).length() > SIMD_EPSILON * sight.length();
+		const btVector3 side = (isDrawnOut ? puff.trace : upright).cross(sight).normalized() * btScalar(puff.radius);
+		const btVector3 along = isDrawnOut ? puff.trace : sight.cross(side).normalized() * btScalar(puff.radius);
+		for (const auto& [x, y] : {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, -1),
+								   std::pair(1, 1), std::pair(-1, 1)})
+			vertices.push_back({toVector(puff.place + side * btScalar(x) + along * btScalar(y)),
+								{0, 0, 0},
+								{puff.colour.r, puff.colour.g, puff.colour.b},
+								{float(x), float(y), puff.opacity, 0},
+								0});
+	}
 	return vertices;
 }
 }  // namespace ep

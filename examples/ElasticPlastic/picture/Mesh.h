@@ -28,6 +28,9 @@ struct Vertex
 
 /// The triangles of parts and skins, three vertices each.
 std::vector<Vertex> makeMesh(const std::vector<Part>& parts, const std::vector<Skin>& skins = {});
+
+/// Squares that face the eye, the furthest first, of which the first two edges run from -1 to 1 and the third is the opacity.
+std::vector<Vertex> makeMesh(std::vector<Puff> puffs, const Camera& camera);
 }  // namespace ep
 
 #endif  // EP_PICTURE_MESH_H

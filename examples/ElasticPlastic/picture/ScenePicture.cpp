@@ -4,7 +4,7 @@
 #include "picture/ScenePicture.h"
 
 #include "drawing/Cameras.h"
-#include "picture/Raster.h"
+#include "picture/Picture.h"
 
 namespace ep
 {
@@ -19,6 +19,6 @@ Image takePicture(const ViewedScene& scene, int width, int height)
 	if (!drawing.views.empty())
 		return drawPicture(drawing.views.front(), width, height);
 	const Camera camera = framingCamera(scene.bounds(), scene.sight(), float(width) / float(height), MARGINS);
-	return drawPicture({drawing.parts, camera, drawing.skins}, width, height);
+	return drawPicture({drawing.parts, camera, drawing.skins, drawing.puffs}, width, height);
 }
 }  // namespace ep

@@ -10,6 +10,7 @@
 #include "scenefile/SceneFile.h"
 #include "simulation/Probes.h"
 #include "text/Format.h"
+#include "world/Charge.h"
 #include "world/JointReading.h"
 
 namespace ep
@@ -61,7 +62,8 @@ void LiveScene::build(const SceneDescription& scene)
 	m_history.clear();
 	m_way.clear();
 	m_selected = -1;
-	m_numLookedAt = 0;
+	m_numLookedAt = m_numBurst = 0;
+	m_effects.clear();
 	m_balls = 0;
 	measure();
 	record();
@@ -110,8 +112,26 @@ void LiveScene::step(const Controls&)
 	const Ending ending = m_simulation->ending();
 	if (ending == Ending::NotFinite || ending == Ending::FirstBreak)
 		return;
+	m_effects.beforeStep(m_simulation->world());
 	m_simulation->step();
+	addBreaks();
+	m_effects.afterStep(m_simulation->world(), stepTime());
 	record();
+}
+
+void LiveScene::addBreaks()
+{
+	const double leastSteel = 5000;  // [kg/m^3]
+	const std::vector<SceneEvent>& events = m_simulation->events();
+	for (; m_numBurst < events.size(); ++m_numBurst)
+	{
+		const SceneEvent& event = events[m_numBurst];
+		if (event.type != SceneEvent::Type::Break)
+			continue;
+		const int* const bodies = m_simulation->scene().joints[size_t(event.index)].bodies;
+		const SceneDescription::Body& body = m_simulation->scene().bodies[size_t(std::max(bodies[0], bodies[1]))];
+		m_effects.add({Burst::Kind::Break, event.place, event.energy, body.density > leastSteel});
+	}
 }
 
 void LiveScene::record()
@@ -176,6 +196,7 @@ btVector3 LiveScene::sight() const
 Drawing LiveScene::draw() const
 {
 	Drawing drawing = drawSimulation(*m_simulation);
+	drawing.puffs = m_effects.puffs();
 	const Ending ending = m_simulation->ending();
 	if (ending != Ending::None)
 		drawing.text.push_back("ended by " + nameOf(endings(), ending));
@@ -317,6 +338,17 @@ void LiveScene::throwBall(const Ray& ray)
 	ball.velocity = ray.direction.normalized() * 25;
 	ball.colour.setValue(btScalar(.05), btScalar(.05), btScalar(.06));
 	m_simulation->add(ball);
+}
+
+void LiveScene::blowCharge(const Ray& ray)
+{
+	const RayHit hit = castRay(m_simulation->world(), ray.from, ray.direction);
+	if (!hit.hasHit)
+		return;
+	// By the size of what there is: 1 kg of TNT where that is 2 m, 1 t where it is 20 m.
+	const double size = double(m_bounds.size().length()) / 2, mass = size * size * size, heat = 4.2e6;  // [kg], [J/kg]
+	ep::blowCharge(m_simulation->world(), hit.place, mass);
+	m_effects.add({Burst::Kind::Charge, hit.place, mass * heat, false});
 }
 
 void LiveScene::key(char key)

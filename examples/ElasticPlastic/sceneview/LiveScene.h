@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "drawing/ViewedScene.h"
+#include "effects/Effects.h"
 #include "sceneview/SectionFigure.h"
 #include "simulation/Simulation.h"
 #include "world/Hand.h"
@@ -35,6 +36,8 @@ public:
 	void drag(const Ray& ray) override { m_hand->drag(ray.from, ray.direction); }
 	void release() override { m_hand->release(); }
 	void throwBall(const Ray& ray) override;
+	void blowCharge(const Ray& ray) override;
+	std::vector<Burst> bursts() const override { return m_effects.bursts(); }
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
 
@@ -52,6 +55,7 @@ private:
 	void reload();
 	void watch(const std::vector<std::string>& files);
 	void record();
+	void addBreaks();
 	void measure();
 	void happenings(Panel& panel);
 	void joints(Panel& panel);
@@ -66,11 +70,12 @@ private:
 	std::unique_ptr<Simulation> m_simulation;
 	std::unique_ptr<Hand> m_hand;              // in its world
 	std::vector<std::vector<float>> m_probes;  // of each, its values at all steps
-	Bounds m_bounds;                           // at the start
+	Effects m_effects;
+	Bounds m_bounds;  // at the start
 	int m_untilLook = 0, m_selected = -1, m_balls = 0;
-	size_t m_numLookedAt = 0;          // of the simulation's events
-	std::vector<float> m_history;      // utilisation of the selected joint
-	std::vector<SectionForces> m_way;  // of its forces, if it has fibres
+	size_t m_numLookedAt = 0, m_numBurst = 0;  // of the simulation's events
+	std::vector<float> m_history;              // utilisation of the selected joint
+	std::vector<SectionForces> m_way;          // of its forces, if it has fibres
 };
 }  // namespace ep
 

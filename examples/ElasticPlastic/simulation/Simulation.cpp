@@ -11,6 +11,7 @@
 #include "simulation/Course.h"
 #include "text/Format.h"
 #include "world/Place.h"
+#include "world/ShownArea.h"
 
 namespace ep
 {
@@ -67,16 +68,6 @@ bool isDriven(const SceneDescription& scene)
 					   [](const auto& body) { return body.motion == Motion::Kinematic; }) ||
 		   std::any_of(scene.joints.begin(), scene.joints.end(),
 					   [](const auto& joint) { return joint.type == JointType::Slider && joint.motorForce > 0; });
-}
-
-/// The most that a box round a shape shows to a direction in the body's axes [m^2].
-double areaOf(const btCollisionShape& shape, const btVector3& direction)
-{
-	btVector3 low, high;
-	shape.getAabb(btTransform::getIdentity(), low, high);
-	const btVector3 size = high - low;
-	return double(btFabs(direction.x()) * size.y() * size.z() + btFabs(direction.y()) * size.x() * size.z() +
-				  btFabs(direction.z()) * size.x() * size.y());
 }
 
 bool isFinite(const btVector3& v)
@@ -451,8 +442,8 @@ void Simulation::applyBlasts(double time, double dt)
 			if (share <= 0 || way.length() < SIMD_EPSILON)
 				continue;
 			const btVector3 direction = way.normalized();
-			const double area =
-				areaOf(*body.getCollisionShape(), body.getCenterOfMassTransform().getBasis().transpose() * direction);
+			const double area = shownArea(*body.getCollisionShape(),
+										  body.getCenterOfMassTransform().getBasis().transpose() * direction);
 			body.activate();
 			body.applyCentralForce(direction *
 								   btScalar(blast.pressure * std::pow(distance, -blast.decay) * share * area));

@@ -4,9 +4,8 @@
 #ifndef EP_VIEWER_GL_H
 #define EP_VIEWER_GL_H
 
-// OpenGL 3.0's functions by name: Mesa's and the vendors' libraries of Linux export them.
-#define GL_GLEXT_PROTOTYPES
+#include "picture/Gl.h"
+// After it, which asks for functions by name.
 #include <GL/freeglut.h>
-#include <GL/glext.h>
 
 #endif  // EP_VIEWER_GL_H

@@ -59,6 +59,10 @@ Keys::Command Keys::key(int key, bool down)
 			return SLOW_MOTION;
 		case 'z':
 			return GO_BACK;
+		case 'e':
+			return CHARGE;
+		case 'u':
+			return SOUND;
 		case ESCAPE:
 			return QUIT;
 		default:
@@ -92,11 +96,13 @@ std::vector<std::string> Keys::help(bool drive, bool panel)
 	for (const char* line :
 		 {"P  pause,  N or O  single step", "[  slower,  ]  faster", "R  restart",
 		  "C  camera,  mouse  turns it, wheel zooms", "mouse on a body  pulls it, right button  throws a ball",
+		  "E  a charge goes off where the mouse points",
 		  "Z  back to before the crash,  L  slow motion at breaks on or off"})
 		lines.emplace_back(line);
 	if (panel)
 		lines.emplace_back("M  panel on or off");
-	for (const char* line : {"F12  screenshot,  V  film on or off", "Esc  quit", "H  help on or off"})
+	for (const char* line :
+		 {"F12  screenshot,  V  film on or off", "U  sound on or off", "Esc  quit", "H  help on or off"})
 		lines.emplace_back(line);
 	return lines;
 }

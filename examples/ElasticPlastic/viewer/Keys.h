@@ -33,6 +33,8 @@ public:
 		PANEL,
 		SLOW_MOTION,
 		GO_BACK,
+		CHARGE,
+		SOUND,
 		JUMP,  ///< and one each for F2 to F4
 		JUMP_LAST = JUMP + 3,
 		QUIT

@@ -7,16 +7,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "picture/Tile.h"
+
 namespace ep
 {
-/// Pixels from the window's bottom left corner.
-struct Tile
-{
-	int x, y, width, height;
-
-	float aspect() const { return float(width) / float(height); }
-};
-
 /// Where in a window things go: the first view large, the others beside it one above the other, below them the chart.
 struct Layout
 {

@@ -36,7 +36,8 @@ Session::Session(ViewedScene& scene, const WindowOptions& options)
 	  m_options(options),
 	  m_renderer(new Renderer),
 	  m_gui(new Gui(float(options.textSize))),
-	  m_camera(!scene.draw().views.empty()),
+	  m_speaker(options.isFilmed() || options.isSilent ? nullptr : new Speaker),
+	  m_camera(!scene.draw().views.empty(), scene.isDriven()),
 	  m_last(Clock::now()),
 	  m_panel(!options.noPanel && (options.record.empty() || options.filmPanel))
 {
@@ -105,8 +106,20 @@ void Session::simulate(double seconds)
 	int steps = 0;
 	// A film's pictures are as long as steps are, but for rounding.
 	for (; m_owed > step * (1 - 1e-4); m_owed -= step, ++steps)
+	{
 		m_scene.step(m_keys.controls());
+		playBursts();
+	}
 	m_stepRate += (steps / seconds - m_stepRate) * .05;
+}
+
+void Session::playBursts()
+{
+	if (!m_speaker)
+		return;
+	m_speaker->listenFrom(m_camera.shown());
+	for (const Burst& burst : m_scene.bursts())
+		m_speaker->play(burst);
 }
 
 void Session::draw(double seconds)
@@ -127,10 +140,10 @@ void Session::draw(double seconds)
 	margins.top = std::min(.3f, .04f + float(Overlay::textHeight(drawing.text.size())) / picture);
 	margins.bottom = .01f + float(Overlay::legendHeight()) / picture;
 	std::vector<View> views = drawing.views;
-	m_camera.offerViews(!views.empty());
+	m_camera.offer(!views.empty(), m_scene.isDriven());
 	if (!m_camera.showsViews())
 		views.assign(1, {drawing.parts, m_camera.camera(m_scene, drawing.subject, aspect, margins, btScalar(seconds)),
-						 drawing.skins});
+						 drawing.skins, drawing.puffs});
 	const Layout layout(views.size(), !drawing.chart.bands.empty(), width, height);
 
 	glClear(GL_COLOR_BUFFER_BIT);
@@ -215,6 +228,7 @@ void Session::command(Keys::Command command)
 		case Keys::SINGLE_STEP:
 			m_paused = true;
 			m_scene.step(m_keys.controls());
+			playBursts();
 			break;
 		case Keys::RESTART:
 			m_scene.restart();
@@ -250,6 +264,12 @@ void Session::command(Keys::Command command)
 			break;
 		case Keys::GO_BACK:
 			m_scene.goBack();
+			break;
+		case Keys::CHARGE:
+			m_scene.blowCharge(mouseRay());
+			break;
+		case Keys::SOUND:
+			m_speaker.reset(m_speaker ? nullptr : new Speaker);
 			break;
 		case Keys::QUIT:
 			m_running = false;

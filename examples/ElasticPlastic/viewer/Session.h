@@ -9,11 +9,12 @@
 
 #include "cli/WindowOptions.h"
 #include "drawing/ViewedScene.h"
+#include "picture/Renderer.h"
+#include "sound/Speaker.h"
 #include "viewer/Gui.h"
 #include "viewer/Keys.h"
 #include "viewer/Quality.h"
 #include "viewer/Recorder.h"
-#include "viewer/Renderer.h"
 #include "viewer/UserCamera.h"
 
 namespace ep
@@ -42,6 +43,7 @@ private:
 
 	double passTime();
 	void simulate(double seconds);
+	void playBursts();
 	void draw(double seconds);
 	Margins drawPanels(int width, int height);
 	void drawTime(Panel& panel);
@@ -63,6 +65,7 @@ private:
 	std::unique_ptr<Renderer> m_renderer;
 	std::unique_ptr<Gui> m_gui;
 	std::unique_ptr<Recorder> m_recorder;
+	std::unique_ptr<Speaker> m_speaker;  ///< null: silent
 	UserCamera m_camera;
 	Keys m_keys;
 	Quality m_quality;

@@ -7,11 +7,13 @@
 
 namespace ep
 {
-void UserCamera::offerViews(bool views)
+void UserCamera::offer(bool views, bool isDriven)
 {
-	if (views != m_views)
-		m_mode = views ? VIEWS : SIDE;
+	const bool isNew = views != m_views || isDriven != m_isDriven;
 	m_views = views;
+	m_isDriven = isDriven;
+	if (isNew)
+		m_mode = own();
 }
 
 void UserCamera::next()
@@ -19,6 +21,8 @@ void UserCamera::next()
 	m_mode = Mode((m_mode + 1) % MODES);
 	if (m_mode == VIEWS && !m_views)
 		m_mode = CHASE;
+	if (m_mode == CHASE && !m_isDriven)
+		m_mode = ORBIT;
 }
 
 const char* UserCamera::name() const
@@ -32,7 +36,7 @@ void UserCamera::select(WindowCamera camera)
 	switch (camera)
 	{
 		case WindowCamera::Own:
-			m_mode = m_views ? VIEWS : CHASE;
+			m_mode = own();
 			break;
 		case WindowCamera::Chase:
 			m_mode = CHASE;
@@ -72,9 +76,8 @@ void UserCamera::zoom(int steps)
 }
 
 /// Follows with a little delay, so that the picture does not shake with the vehicle.
-Camera UserCamera::chase(const btTransform& subject, btScalar seconds)
+Camera UserCamera::chase(const Camera& wanted, btScalar seconds)
 {
-	const Camera wanted = chaseCamera(subject);
 	const btScalar share = m_chasing ? 1 - btExp(-seconds * 6) : btScalar(1);
 	const bool jumped = (wanted.eye - m_chase.eye).length() > 30;
 	m_chase.eye = jumped ? wanted.eye : m_chase.eye.lerp(wanted.eye, share);
@@ -100,7 +103,7 @@ Camera UserCamera::camera(const ViewedScene& scene, const btTransform& subject, 
 						  btScalar seconds)
 {
 	if (m_mode == CHASE)
-		return m_shown = movedAside(chase(subject, seconds), aspect, margins);
+		return m_shown = movedAside(chase(chaseCamera(subject, scene.closeness()), seconds), aspect, margins);
 	m_chasing = false;
 	if (m_mode == SIDE)
 		return m_shown = framingCamera(scene.bounds(), scene.sight(), aspect, margins);

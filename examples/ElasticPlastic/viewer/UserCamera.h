@@ -16,10 +16,11 @@ class UserCamera
 {
 public:
 	/// \param views  whether the scene has cameras of its own; then it begins with them
-	explicit UserCamera(bool views) : m_views(views), m_mode(views ? VIEWS : CHASE) {}
+	/// \param isDriven  whether there is something to chase: else it begins where it sees the whole structure
+	UserCamera(bool views, bool isDriven) : m_views(views), m_isDriven(isDriven), m_mode(own()) {}
 
-	/// Whether the scene has cameras of its own now: those that come are shown.
-	void offerViews(bool views);
+	/// The same of the scene that there is now: if that has changed it begins anew.
+	void offer(bool views, bool isDriven);
 
 	void next();
 	void select(WindowCamera camera);
@@ -45,11 +46,12 @@ private:
 		MODES
 	};
 
+	Mode own() const { return m_views ? VIEWS : m_isDriven ? CHASE : SIDE; }
 	void setOrbit();
-	Camera chase(const btTransform& subject, btScalar seconds);
+	Camera chase(const Camera& wanted, btScalar seconds);
 	Camera orbit(Bounds bounds, float aspect, const Margins& margins) const;
 
-	bool m_views;
+	bool m_views, m_isDriven;
 	Mode m_mode;
 	btScalar m_azimuth = btScalar(2.2), m_elevation = btScalar(.3);
 	btScalar m_zoom = 1;  ///< of what the free camera sees over what it would

@@ -12,17 +12,29 @@ const btScalar STRENGTH = 200;  // over the body's mass [m/s^2]
 const btScalar STEP = btScalar(1) / 60;
 }  // namespace
 
+RayHit castRay(World& world, const btVector3& from, const btVector3& direction)
+{
+	const btVector3 to = from + direction.normalized() * REACH;
+	btCollisionWorld::ClosestRayResultCallback found(from, to);
+	world.bullet().rayTest(from, to, found);
+	RayHit hit;
+	hit.hasHit = found.hasHit();
+	if (!hit.hasHit)
+		return hit;
+	hit.place = found.m_hitPointWorld;
+	btRigidBody* const body = btRigidBody::upcast(const_cast<btCollisionObject*>(found.m_collisionObject));
+	hit.body = body && body->getInvMass() > 0 ? body : nullptr;
+	return hit;
+}
+
 btRigidBody* Hand::grab(const btVector3& from, const btVector3& direction)
 {
 	release();
-	const btVector3 to = from + direction.normalized() * REACH;
-	btCollisionWorld::ClosestRayResultCallback hit(from, to);
-	m_world.bullet().rayTest(from, to, hit);
-	btRigidBody* const body =
-		hit.hasHit() ? btRigidBody::upcast(const_cast<btCollisionObject*>(hit.m_collisionObject)) : nullptr;
-	if (!body || body->getInvMass() == 0)
+	const RayHit hit = castRay(m_world, from, direction);
+	btRigidBody* const body = hit.body;
+	if (!body)
 		return nullptr;
-	m_place = hit.m_hitPointWorld;
+	m_place = hit.place;
 	m_distance = (m_place - from).length();
 	m_pull.reset(new btPoint2PointConstraint(*body, body->getCenterOfMassTransform().inverse() * m_place));
 	m_pull->m_setting.m_impulseClamp = STRENGTH / body->getInvMass() * STEP;

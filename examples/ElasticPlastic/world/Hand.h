@@ -10,6 +10,15 @@
 
 namespace ep
 {
+/// What a ray meets first.
+struct RayHit
+{
+	bool hasHit = false;
+	btVector3 place = btVector3(0, 0, 0);
+	btRigidBody* body = nullptr;  ///< null: nothing, or nothing that is free to move
+};
+RayHit castRay(World& world, const btVector3& from, const btVector3& direction);
+
 /// A person's hand in a world: takes hold of a body where a ray meets it, and pulls that point along. Ends before its world does.
 class Hand
 {

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "picture/Raster.h"
+#include "picture/Picture.h"
 #include "scenedrawing/SceneDrawing.h"
 #include "scenefile/SceneFile.h"
 #include "text/Format.h"
@@ -38,7 +38,8 @@ void takePicture(const ep::SceneDescription& scene, const std::string& file)
 	while (simulation.ending() == ep::Ending::None && simulation.time() < time)
 		simulation.step();
 	const ep::Drawing drawing = ep::drawSimulation(simulation);
-	ep::writePng(file, ep::drawPicture({drawing.parts, ep::cameraOf(simulation), drawing.skins}, WIDTH, HEIGHT));
+	ep::writePng(
+		file, ep::drawPicture({drawing.parts, ep::cameraOf(simulation), drawing.skins, drawing.puffs}, WIDTH, HEIGHT));
 }
 
 void make(const std::string& scenes, const std::string& docs)

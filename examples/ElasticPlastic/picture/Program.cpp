@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include "viewer/Program.h"
+#include "picture/Program.h"
 
 #include <cstddef>
 #include <stdexcept>
 
-#include "viewer/Gl.h"
+#include "picture/Gl.h"
 
 namespace ep
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include "viewer/Shaders.h"
+#include "picture/Shaders.h"
 
 namespace ep
 {
@@ -90,6 +90,18 @@ void main()
 	float light = sunLight(vPosition, normal);
 	float shine = vGloss * pow(max(0., dot(normal, normalize(normalize(toEye) + toSun))), 40.) * light;
 	gl_FragColor = display(fog(lit(vColour * tone, normal, light) + SUN * shine, length(toEye)));
+}
+)";
+
+// Across a puff the first two edges run from -1 to 1; the third is its opacity.
+const char* const SHADER_PUFF = R"(
+varying vec3 vPosition, vColour;
+varying vec4 vEdges;
+
+void main()
+{
+	float thickness = max(0., 1. - dot(vEdges.xy, vEdges.xy));
+	gl_FragColor = vec4(display(fog(vColour, length(eye - vPosition))).rgb, vEdges.z * thickness);
 }
 )";
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#ifndef EP_VIEWER_PROGRAM_H
-#define EP_VIEWER_PROGRAM_H
+#ifndef EP_PICTURE_PROGRAM_H
+#define EP_PICTURE_PROGRAM_H
 
 #include <string>
 
@@ -34,4 +34,4 @@ private:
 };
 }  // namespace ep
 
-#endif  // EP_VIEWER_PROGRAM_H
+#endif  // EP_PICTURE_PROGRAM_H

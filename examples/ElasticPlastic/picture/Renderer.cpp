@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include "viewer/Renderer.h"
+#include "picture/Renderer.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "viewer/Gl.h"
-#include "viewer/Shaders.h"
+#include "picture/Gl.h"
+#include "picture/Shaders.h"
 
 namespace ep
 {
@@ -18,6 +18,7 @@ const int SHADOW_SIZE = 2048;  // the shaders' too
 
 Renderer::Renderer()
 	: m_surface(SHADER_SURFACE_VERTEX, std::string(SHADER_LIGHT) + SHADER_SURFACE),
+	  m_puff(SHADER_SURFACE_VERTEX, std::string(SHADER_LIGHT) + SHADER_PUFF),
 	  m_background(SHADER_BACKGROUND_VERTEX, std::string(SHADER_LIGHT) + SHADER_BACKGROUND),
 	  m_shadow(SHADER_SHADOW_VERTEX, SHADER_SHADOW)
 {
@@ -160,15 +161,29 @@ void Renderer::drawScene(const View& view, const Tile& tile)
 	whole[2].position = {-1, 3, 0};
 	m_background.draw(whole);
 	glDepthFunc(GL_LESS);
+	if (!view.puffs.empty())
+		drawPuffs(view, aspect, sun);
 	glUseProgram(0);
 	glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+/// They hide what is behind them in part, and nothing hides behind them.
+void Renderer::drawPuffs(const View& view, float aspect, const Matrix& sun)
+{
+	glEnable(GL_BLEND);
+	glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+	glDepthMask(GL_FALSE);
+	setLight(m_puff, view.camera, sun);
+	m_puff.set("viewMatrix", cameraMatrix(view.camera, aspect));
+	m_puff.draw(makeMesh(view.puffs, view.camera));
+	glDepthMask(GL_TRUE);
+	glDisable(GL_BLEND);
 }
 
 Image Renderer::read(int width, int height)
 {
 	Image image = {width, height, std::vector<unsigned char>(size_t(3) * width * height)};
 	glPixelStorei(GL_PACK_ALIGNMENT, 1);
-	glReadBuffer(GL_BACK);
 	glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, image.pixels.data());
 	// OpenGL begins at the bottom.
 	for (int y = 0; y < height / 2; ++y)
