@@ -199,7 +199,7 @@ void makePictures(const std::vector<SampleGroup>& groups, const std::string& fol
 		}
 #else
 	(void)groups;
-	throw std::runtime_error("there are no pictures for '" + folder + "': built without libpng");
+	throw std::runtime_error("there are no pictures for '" + folder + "': built without OpenGL and libpng");
 #endif
 }
 

@@ -39,7 +39,7 @@ void takePictures(const Settings& settings, const std::string& directory)
 #else
 void takePictures(const Settings&, const std::string&)
 {
-	throw std::runtime_error("no pictures (--pictures): built without libpng");
+	throw std::runtime_error("no pictures (--pictures): built without OpenGL and libpng");
 }
 #endif
 }  // namespace ep::charpy

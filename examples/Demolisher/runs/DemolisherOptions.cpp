@@ -61,7 +61,7 @@ DemolisherOptions::DemolisherOptions(CLI::App& app)
 	addNamedOption(app, "--solver", s.method.solver, "Bullet's, or ours in one of its forms", solvers());
 	app.add_option("--autopilot", m_route,
 				   "JSON file with the autopilot's route; otherwise it drives through all scenes");
-	number(app, "--speed", s.speed, "Speed of the autopilot on its own route [m/s]", 1, 26);
+	number(app, "--speed", s.speed, "Speed of the autopilot on its own route, where the way is long enough to reach it [m/s]", 1, 26);
 	number(app, "--step", s.step, "Time step [s]", 1e-3, .1);
 	number(app, "--substeps", s.substeps, "Solver steps in each step", 1, 1000);
 	number(app, "--inner-error", s.innerError,

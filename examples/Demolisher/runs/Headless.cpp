@@ -3,6 +3,7 @@
 
 #include "runs/Headless.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -21,7 +22,15 @@ namespace ep
 namespace
 {
 const Margins WRECK_MARGINS = {.05f, .05f, .05f, .25f};  // of the picture, around what is left
+
+/// At the first scene: the way to it may be too short for what is asked for.
+void tellIfSlow(double fastest, const DemolisherSettings& settings)
+{
+	if (settings.route.empty() && fastest < .85 * double(settings.speed))
+		std::printf("  --speed asks for %.1f m/s; on the way to the %s the vehicle comes to %.1f m/s\n",
+					double(settings.speed), nameOf(scenes(), settings.onTheWay().front()).c_str(), fastest);
 }
+}  // namespace
 
 void takePicture(const DemolisherScene& scene, const HeadlessSettings& headless, const std::string& name,
 				 const Camera& camera)
@@ -47,7 +56,7 @@ DemolisherSummary runHeadless(const DemolisherSettings& settings, const Headless
 {
 	makeDirectory(headless.out);
 #ifndef EP_WITH_PICTURES
-	std::printf("Built without libpng: no pictures\n");
+	std::printf("Built without OpenGL and libpng: no pictures\n");
 #endif
 	DemolisherScene scene(settings);
 	scene.setAutopilot(true);
@@ -60,14 +69,18 @@ DemolisherSummary runHeadless(const DemolisherSettings& settings, const Headless
 	// Each scene when the vehicle is there.
 	const std::vector<Scene> way = settings.onTheWay();
 	size_t next = 0;
+	double fastest = 0;
 	for (int i = 0; demolisher.time() + 1e-9 < headless.seconds && !demolisher.autopilot().hasArrived(); ++i)
 	{
 		if (i % int(1 / double(settings.step) + .5) == 0)
 			tell(demolisher.summary());
 		scene.step(Controls());
 		log.step();
+		fastest = std::max(fastest, double(demolisher.vehicle().speed()));
 		if (next < way.size() && demolisher.vehicle().pose().getOrigin().x() > settings.placeOf(way[next]))
 		{
+			if (next == 0)
+				tellIfSlow(fastest, settings);
 			take(std::to_string(next + 2) + "-" + nameOf(scenes(), way[next]),
 				 framingCamera(scene.bounds(), scene.sight(), aspect));
 			++next;
