@@ -6,10 +6,11 @@
 #
 #   ep_add_library(<name> SOURCES ... [INCLUDE <directory>...] [LINK <target>...])
 #   ep_add_executable(<name> SOURCES ... [LINK <target>...] [ONE_PRECISION])
-#   ep_add_test(<name> SOURCES ... [LINK <target>...])    GoogleTest; targets <name>-float and <name>-double
+#   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS])   GoogleTest; targets <name>-float and <name>-double
 #   ep_add_window_test(<name> COMMAND ...)                what opens a window, run on a virtual display
 #
 # ONE_PRECISION makes <name> alone: in float, as a game would, where there is a choice.
+# DRAWS is for what draws pictures by OpenGL.
 # Without sources a library has headers only, and an executable is left out.
 
 ep_find_bullet(EP_PRECISIONS "${BULLET_EP_PRECISION}")
@@ -92,8 +93,14 @@ function(ep_add_executable name)
 	endif()
 endfunction()
 
+set(EP_OF_DRAWING_TESTS ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)  # graphics drivers leak
+
 function(ep_add_test name)
-	cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
+	cmake_parse_arguments(PARSE_ARGV 1 arg "DRAWS" "" "SOURCES;LINK")
+	set(properties "")
+	if(arg_DRAWS)
+		set(properties PROPERTIES ${EP_OF_DRAWING_TESTS})
+	endif()
 	if(NOT arg_SOURCES)
 		message(STATUS "${name}: no sources, left out")
 		return()
@@ -103,7 +110,7 @@ function(ep_add_test name)
 		_ep_executable(${target} ${precision} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main)
 		target_precompile_headers(${target} PRIVATE <gtest/gtest.h> <btBulletDynamicsCommon.h>)
 		# Asked for its tests when they are to run: a program that cannot start fails the tests, not the build.
-		gtest_discover_tests(${target} TEST_SUFFIX .${precision} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60)
+		gtest_discover_tests(${target} TEST_SUFFIX .${precision} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 ${properties})
 	endforeach()
 endfunction()
 
@@ -112,8 +119,7 @@ function(ep_add_window_test name)
 	find_program(XVFB_RUN xvfb-run)
 	if(XVFB_RUN)
 		add_test(NAME ${name} COMMAND ${XVFB_RUN} -a -s "-screen 0 1280x720x24" ${arg_COMMAND})
-		# Graphics drivers leak.
-		set_tests_properties(${name} PROPERTIES ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)
+		set_tests_properties(${name} PROPERTIES ${EP_OF_DRAWING_TESTS})
 	else()
 		message(STATUS "${name}: xvfb-run not found, left out")
 	endif()

@@ -57,6 +57,8 @@ void OffScreen::begin(int width, int height)
 OffScreen::~OffScreen()
 {
 	eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+	eglDestroySurface(m_display, m_surface);
+	eglDestroyContext(m_display, m_context);
 	eglTerminate(m_display);
 }
 }  // namespace ep
