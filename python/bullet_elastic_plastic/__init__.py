@@ -14,6 +14,7 @@ Scene files are described in docs/scenes.md of the project, this package in docs
 
 from ._core import PRECISION, SceneError
 from .scene import Body, Event, Joint, Load, Readings, Scene
-from .sweeps import Table, read_table, sweep
+from .sweeps import Table, read_table, sweep, write_parquet
 
-__all__ = ["PRECISION", "Body", "Event", "Joint", "Load", "Readings", "Scene", "SceneError", "Table", "read_table", "sweep"]
+__all__ = ["PRECISION", "Body", "Event", "Joint", "Load", "Readings", "Scene", "SceneError", "Table", "read_table", "sweep",
+		   "write_parquet"]

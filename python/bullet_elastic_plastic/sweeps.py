@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import csv
+import importlib
 import os
 import pathlib
 import subprocess
@@ -36,6 +37,15 @@ def read_table(file: Union[str, os.PathLike[str]]) -> Table:
 		except ValueError:
 			table[title] = np.array(texts)
 	return table
+
+
+def write_parquet(table: Mapping[str, NDArray[Any]], file: Union[str, os.PathLike[str]]) -> None:
+	"""Writes a table as an Apache Parquet file. It needs pyarrow, and raises ImportError without it."""
+	try:
+		arrow, parquet = (importlib.import_module(name) for name in ("pyarrow", "pyarrow.parquet"))
+	except ImportError as error:
+		raise ImportError("Parquet files need pyarrow (pip install pyarrow); ep-run's tables are CSV") from error
+	parquet.write_table(arrow.table(dict(table)), os.fspath(file))
 
 
 def sweep(scene: Union[str, os.PathLike[str], Mapping[str, object]], over: Optional[Mapping[str, Union[str, Tuple[float, float, int]]]] = None, *,

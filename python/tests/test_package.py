@@ -3,6 +3,7 @@
 
 """What the package does, and what it says to those who use it wrongly."""
 import gc
+import importlib.util
 import json
 import os
 import pathlib
@@ -363,6 +364,18 @@ class Sweeps(unittest.TestCase):
 		np.testing.assert_array_equal(table["mass"], [1, 1, 2, 2, 3, 3])
 		np.testing.assert_allclose(table["v last"], table["mass"], rtol=1e-6)
 		self.assertEqual(set(table["ending"]), {"time"})
+
+	def test_are_written_as_parquet_where_that_is_there(self):
+		table = {"load": np.array([1., 2.]), "ending": np.array(["time", "broken"])}
+		with tempfile.TemporaryDirectory() as folder:
+			file = os.path.join(folder, "cases.parquet")
+			if importlib.util.find_spec("pyarrow"):
+				ep.write_parquet(table, file)
+				import pyarrow.parquet
+				self.assertEqual(pyarrow.parquet.read_table(file).to_pydict(), {"load": [1, 2], "ending": ["time", "broken"]})
+			else:
+				with self.assertRaisesRegex(ImportError, "pip install pyarrow"):
+					ep.write_parquet(table, file)
 
 	def test_draw_and_go_on(self):
 		with tempfile.TemporaryDirectory() as folder:

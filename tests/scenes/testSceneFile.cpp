@@ -54,6 +54,26 @@ TEST(SceneErrors, SuggestTheNearestName)
 				{"bodies.a.box.0", "did you mean \"span\"?"});
 }
 
+TEST(SceneErrors, TellWhichFreedomsAJointHas)
+{
+	const auto joint = [](const std::string& inner)
+	{
+		return complaintOf(
+			(R"("bodies": [{"name": "box", "box": [1, 1, 1]}], "joints": [{"name": "j", "from": "box", "at": [0, 0, 0], )" +
+			 inner + "}]")
+				.c_str());
+	};
+	expectParts(joint(R"("type": "hinge", "freedoms": {"axial": {}})"),
+				{"joints.j.freedoms.axial is no freedom of this type of joint"});
+	expectParts(joint(R"("type": "ball", "freedoms": {"torsion": {}})"), {"is no freedom of this type of joint"});
+	expectParts(joint(R"("type": "hinge", "freedoms": {"torsion": {"from": 3}})"), {"must have both of from and to"});
+	expectParts(joint(R"("type": "slider", "freedoms": {"axial": {"from": 3, "to": 2}})"), {"to is less than from"});
+	expectParts(joint(R"("type": "hinge", "freedoms": {"torsion": {"stiffness": 3}})"), {"only in a six-dof joint"});
+	expectParts(joint(R"("type": "cone-twist", "freedoms": {"torsion": {"from": -3, "to": 2}})"), {"from must be -to"});
+	expectParts(complaintOf(R"("world": {"joints": "rigid", "scheme": "by-mode"})"),
+				{"world.scheme is for the joints"});
+}
+
 TEST(SceneErrors, ListWhatIsKnownWhereNothingIsNear)
 {
 	expectParts(complaintOf(R"("world": {"contacts": "magic"})"), {"known are by-island, exact, swept"});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
 #include "scenes/Scenes.h"
 #include "simulation/Course.h"
 #include "simulation/Probes.h"
@@ -297,6 +298,108 @@ TEST(SceneJoints, OfNewSectionsHaveTheirCapacity)
 	EXPECT_EQ(0, fibres[0].m_tension);
 	EXPECT_GT(fibres[38].m_tension, 0);
 	EXPECT_GT(fibres[36].m_rateReference, 0);
+}
+
+TEST(SceneJoints, OfBulletsOwnMoveAsFarAsTheirFreedomsSay)
+{
+	// A box on the world is driven by forces and moments in each direction, without gravity; the second body is the box.
+	struct Case
+	{
+		const char *type, *freedoms, *load, *measure;
+		int axis;
+		double from, to;
+	};
+	const double degree = M_PI / 180;
+	for (const Case& c : {
+			 Case{"hinge", R"("torsion": {"from": -10, "to": 30})", R"("moment": [40, 0, 0])", "turn", 0, -10 * degree,
+				  30 * degree},
+			 Case{"slider", R"("axial": {"from": -0.1, "to": 0.4})", R"("force": [100, 0, 0])", "displacement", 0, -.1,
+				  .4},
+			 Case{"cone-twist", R"("torsion": {"from": -20, "to": 20}, "bending_z": {"from": -40, "to": 40})",
+				  R"("moment": [0, 0, 40])", "turn", 2, -40 * degree, 40 * degree},
+			 Case{"six-dof", R"("shear_y": {"from": -0.2, "to": 0.3})", R"("force": [0, 100, 0])", "displacement", 1,
+				  -.2, .3},
+			 Case{"six-dof", R"("torsion": {"from": -15, "to": 25})", R"("moment": [40, 0, 0])", "turn", 0,
+				  -15 * degree, 25 * degree},
+			 Case{"six-dof", R"("bending_y": {"from": -15, "to": 25})", R"("moment": [0, 40, 0])", "turn", 1,
+				  -15 * degree, 25 * degree},
+			 Case{"six-dof", R"("bending_z": {"from": -15, "to": 25})", R"("moment": [0, 0, 40])", "turn", 2,
+				  -15 * degree, 25 * degree},
+		 })
+		for (int sign : {1, -1})
+		{
+			SCOPED_TRACE(std::string(c.type) + " " + c.freedoms + (sign < 0 ? " backwards" : ""));
+			const std::string axis(1, char('x' + c.axis));
+			Simulation s(sceneOf(
+				std::string(
+					R"("world": {"gravity": [0, 0, 0], "step": 0.004, "iterations": 50}, "bodies": [{"name": "box", "box": [1, 1, 1], "mass": 100}],
+				"joints": [{"name": "j", "from": "world", "to": "box", "type": ")") +
+				c.type + R"(", "at": [0, 0, 0], "along": [1, 0, 0], "freedoms": {)" + c.freedoms +
+				R"(}}], "loads": [{"on": "box", )" + c.load + R"(, "over": [0, )" + std::to_string(sign) + ", 1, " +
+				std::to_string(sign) + R"(]}],
+				"probes": [{"name": "p", "of": "box", "measure": ")" +
+				c.measure + R"(", "axis": ")" + axis + R"("}, {"name": "l", "of": "box", "measure": ")" + c.measure +
+				R"(", "axis": "length"}], "end": {"time": 8})"));
+			run(s);
+			// Bullet's limits give a little under the load.
+			EXPECT_NEAR(probe(s), sign > 0 ? c.to : c.from, .02);
+			// And in no other direction.
+			EXPECT_NEAR(probe(s, 1), std::abs(probe(s)), .01);
+		}
+}
+
+TEST(SceneJoints, OfSixDegreesSpring)
+{
+	Simulation s(sceneOf(
+		R"("world": {"gravity": [0, -10, 0], "step": 0.004}, "bodies": [{"name": "box", "box": [1, 1, 1], "mass": 100}],
+		"joints": [{"name": "j", "from": "world", "to": "box", "type": "six-dof", "at": [0, 0, 0], "along": [1, 0, 0],
+			"freedoms": {"shear_y": {"stiffness": 1e4, "damping": 2e3}}}],
+		"probes": [{"name": "p", "of": "box", "measure": "displacement", "axis": "y"}], "end": {"time": 4})"));
+	run(s);
+	EXPECT_NEAR(probe(s), -100 * 10 / 1e4, 1e-3);
+	EXPECT_FALSE(s.energies().isAudited);
+}
+
+TEST(SceneMaterials, BeginWithTheLibrarysReadyOnes)
+{
+	const char* const beam =
+		R"("structures": [{"beam": {"name": "b", "material": {"ready": "S355", "ultimate_plastic_strain": 0.1}, "section": {"circle": 0.1},
+		"from": [0, 1, 0], "to": [2, 1, 0], "parts": 2}}])";
+	Simulation s(sceneOf(beam));
+	btElasticPlasticMaterial steel = btElasticPlasticReadyMaterial::find("S355");
+	steel.m_ultimatePlasticStrain = btScalar(.1);
+	// From the middle of one part of a metre to that of the next.
+	const auto expected =
+		btElasticPlasticCapacity::fromMember(steel, btElasticPlasticSection::circle(btScalar(.1)), 1, 1);
+	const btElasticPlasticCapacity& capacity = s.joint(1)->getCapacity();
+	EXPECT_FLOAT_EQ(float(capacity.m_yield[0]), float(expected.m_yield[0]));
+	EXPECT_FLOAT_EQ(float(capacity.m_ductility[0]), float(expected.m_ductility[0]));
+	expectParts(complaintOf(R"("materials": {"m": {"ready": "S356"}})"), {"materials.m.ready", "did you mean \"S35"});
+}
+
+TEST(SceneJoints, TakeTheWorldsScheme)
+{
+	const char* const beam =
+		R"("structures": [{"beam": {"name": "b", "material": {}, "section": {"circle": 0.1}, "from": [0, 1, 0], "to": [2, 1, 0], "parts": 2}}])";
+	for (const auto& [scheme, expected] :
+		 {std::pair("implicit", BT_EP_SCHEME_IMPLICIT), std::pair("by-mode", BT_EP_SCHEME_BY_MODE)})
+	{
+		Simulation s(sceneOf(std::string(R"("world": {"scheme": ")") + scheme + "\"}, " + beam));
+		EXPECT_EQ(s.joint(0)->getScheme(), expected);
+	}
+}
+
+TEST(SceneJoints, ByHandHaveAllThatACapacityHas)
+{
+	Simulation s(sceneOf(
+		R"("bodies": [{"name": "box", "box": [1, 1, 1]}], "joints": [{"name": "j", "from": "box", "at": [0, 0, 0],
+		"capacity": {"damping_ratio": 0.03, "bow": 2, "coupling": [0.5, -0.25], "shear_y": {"stiffness": 1e6}, "shear_z": {"stiffness": 1e6},
+			"bending_y": {"stiffness": 1e6}, "bending_z": {"stiffness": 1e6}}}])"));
+	const btElasticPlasticCapacity& capacity = s.joint(0)->getCapacity();
+	EXPECT_FLOAT_EQ(float(capacity.m_damping), .03f);
+	EXPECT_FLOAT_EQ(float(capacity.m_length), 2);
+	EXPECT_FLOAT_EQ(float(capacity.m_coupling[0]), .5f);
+	EXPECT_FLOAT_EQ(float(capacity.m_coupling[1]), -.25f);
 }
 
 TEST(SceneJoints, OfBulletsOwnHoldWhatTheyHold)

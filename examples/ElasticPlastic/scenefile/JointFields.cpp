@@ -18,7 +18,9 @@ const std::vector<Named<JointType>>& jointTypes()
 		{"fixed", JointType::Fixed, "Bullet's own"},
 		{"hinge", JointType::Hinge, "Bullet's own, about the joint's x axis"},
 		{"ball", JointType::Ball, "Bullet's own"},
-		{"slider", JointType::Slider, "Bullet's own, along the joint's x axis"}};
+		{"slider", JointType::Slider, "Bullet's own, along the joint's x axis"},
+		{"cone-twist", JointType::ConeTwist, "Bullet's own, twists about the joint's x axis"},
+		{"six-dof", JointType::SixDof, "Bullet's own, locked but for its freedoms"}};
 	return all;
 }
 
@@ -46,16 +48,28 @@ void dofFields(Fields& f, btElasticPlasticCapacity& capacity, int dof)
 
 bool capacityField(Fields& f, btElasticPlasticCapacity& capacity)
 {
-	return f.object("capacity", "of each degree of freedom, by hand; those that are left out are free",
-					[&](Fields& inner)
-					{
-						bool hasAny = false;
-						for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
-							hasAny |= inner.object(DOF_KEYS[dof], "a degree of freedom in the joint's frame",
-												   [&](Fields& of) { dofFields(of, capacity, dof); });
-						if (!hasAny)
-							inner.refuse("", "holds in no degree of freedom");
-					});
+	return f.object(
+		"capacity", "of each degree of freedom, by hand; those that are left out are free",
+		[&](Fields& inner)
+		{
+			inner.scalar("damping_ratio", capacity.m_damping, {0, .1}, "", "of critical, of a structure's modes");
+			inner.scalar("bow", capacity.m_length, Range::notNegative(), "m",
+						 "length of the member that bows between the bodies' centres; 0: it does not");
+			bool hasAny = false;
+			for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+				hasAny |= inner.object(DOF_KEYS[dof], "a degree of freedom in the joint's frame",
+									   [&](Fields& of) { dofFields(of, capacity, dof); });
+			// After them: what springs anew is not coupled.
+			std::vector<double> coupling;
+			if (inner.numbers("coupling", coupling, 2, 2, {-1, 1}, "",
+							  "compliance between shear_y and bending_z, and between shear_z and bending_y, over "
+							  "the root of the product of their own") &&
+				coupling.size() == 2)
+				for (int i = 0; i < 2; ++i)
+					capacity.m_coupling[i] = btScalar(coupling[size_t(i)]);
+			if (!hasAny)
+				inner.refuse("", "holds in no degree of freedom");
+		});
 }
 
 /// A body's centre; the world has none.
@@ -120,8 +134,66 @@ bool memberFields(Fields& f, SceneBuilder& builder, SceneDescription::Joint& joi
 	return true;
 }
 
+/// Which degrees of freedom each of Bullet's own can have. Bits.
+unsigned freedomsOf(JointType type)
+{
+	const unsigned axial = 1u << BT_EP_AXIAL, torsion = 1u << BT_EP_TORSION, all = (1u << BT_EP_DOF_COUNT) - 1;
+	switch (type)
+	{
+		case JointType::Hinge:
+			return torsion;
+		case JointType::Slider:
+			return axial;
+		case JointType::ConeTwist:
+			return torsion | 1u << BT_EP_BENDING_Y | 1u << BT_EP_BENDING_Z;
+		case JointType::SixDof:
+			return all;
+		default:
+			return 0;
+	}
+}
+
+void freedomFields(Fields& f, SceneDescription::Freedom& freedom, int dof, JointType type)
+{
+	const char* const unit = dof < 3 ? "m" : "degrees";
+	const Range range = {-1e6, 1e6};
+	const double radians = dof < 3 ? 1 : double(SIMD_RADS_PER_DEG);
+	double from = 0, to = 0;
+	freedom.isGiven = true;
+	const bool hasFrom = f.number("from", from, range, unit, "else it has no end there"),
+			   hasTo = f.number("to", to, range, unit, "else it has no end there");
+	if (hasFrom)
+		freedom.from = from * radians;
+	if (hasTo)
+		freedom.to = to * radians;
+	f.number("stiffness", freedom.stiffness, Range::notNegative(), dof < 3 ? "N/m" : "N m/rad", "of a spring; 0: none");
+	f.number("damping", freedom.damping, Range::notNegative(), dof < 3 ? "N s/m" : "N m s/rad", "of the spring");
+	if (hasFrom != hasTo)
+		f.refuse("", "must have both of from and to, or none");
+	if (from > to)
+		f.refuse("to", "is less than from");
+	if (type == JointType::ConeTwist && (!hasFrom || from != -to))
+		f.refuse("", "of a cone-twist joint is as wide to both sides: from must be -to");
+	if ((freedom.stiffness > 0 || freedom.damping > 0) && type != JointType::SixDof)
+		f.refuse("", "springs only in a six-dof joint");
+}
+
+void freedomsField(Fields& f, SceneDescription::Joint& joint)
+{
+	f.object("freedoms", "of hinge, slider, cone-twist and six-dof: how far the second body moves against the first",
+			 [&](Fields& inner)
+			 {
+				 for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+					 if (inner.object(DOF_KEYS[dof], "a degree of freedom in the joint's frame",
+									  [&](Fields& of) { freedomFields(of, joint.freedoms[dof], dof, joint.type); }) &&
+						 !(freedomsOf(joint.type) >> dof & 1u))
+						 inner.refuse(DOF_KEYS[dof], "is no freedom of this type of joint");
+			 });
+}
+
 void bulletFields(Fields& f, SceneDescription::Joint& joint)
 {
+	freedomsField(f, joint);
 	f.number("breaks_at", joint.breaksAt, Range::notNegative(), "N", "force that breaks one of Bullet's own; 0: none");
 	f.number("motor_speed", joint.motorSpeed, {-1e5, 1e5}, "rad/s or m/s", "of a hinge or slider");
 	f.number("motor_force", joint.motorForce, Range::notNegative(), "N m or N",

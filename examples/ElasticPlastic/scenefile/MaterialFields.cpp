@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
+
 namespace ep
 {
 namespace
@@ -33,6 +35,16 @@ void refuseFault(Fields& f, const btElasticPlasticFault& fault)
 	if (fault)
 		f.refuse("", std::string("is not possible: ") + text);
 }
+
+/// The first stands for none of them.
+std::vector<std::string> readyNames()
+{
+	std::vector<std::string> names = {"none"};
+	for (int i = 0; i < btElasticPlasticReadyMaterial::count(); ++i)
+		names.push_back(btElasticPlasticReadyMaterial::at(i).m_name);
+	return names;
+}
+
 /// What only sections with fibres know.
 void fibreFields(Fields& f, btElasticPlasticMaterial& law)
 {
@@ -131,6 +143,11 @@ void fibresOf(Fields& f, SceneBuilder& builder, SceneDescription::Section& s)
 void materialFields(Fields& f, SceneDescription::Material& m)
 {
 	btElasticPlasticMaterial& law = m.law;
+	static const std::vector<std::string> ready = readyNames();
+	size_t index = 0;
+	if (f.choice("ready", index, ready, "one of the library's, of which the other keys change what they say") &&
+		index > 0)
+		law = btElasticPlasticReadyMaterial::at(int(index) - 1).m_material;
 	f.scalar("youngs_modulus", law.m_youngsModulus, Range::above(0), "Pa", "E");
 	f.scalar("poissons_ratio", law.m_poissonsRatio, {-1, .5, true}, "", "nu");
 	f.scalar("density", law.m_density, {0, 1e6, true}, "kg/m^3", "of bodies made of it");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticJoint.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticSolverSettings.h"
 #include "LinearMath/btTransform.h"
 #include "vehicle/Autopilot.h"
@@ -30,6 +31,7 @@ struct SceneDescription
 		Solver solver = Solver::Direct;
 		int iterations = 10;
 		JointKind joints = kinds::Ep2;
+		btElasticPlasticScheme scheme = BT_EP_SCHEME_IMPLICIT;
 		btElasticPlasticContacts contacts = BT_EP_CONTACTS_BY_ISLAND;
 		int threads = 1;
 		bool sleeps = false;
@@ -113,7 +115,19 @@ struct SceneDescription
 		Fixed,   ///< this and what follows: Bullet's own
 		Hinge,
 		Ball,
-		Slider
+		Slider,
+		ConeTwist,
+		SixDof
+	};
+
+	/// What a degree of freedom of one of Bullet's own joints may do: of the second body against the first.
+	struct Freedom
+	{
+		bool isGiven = false;
+		double from = -never(), to = never();  ///< [m], [rad]
+		double stiffness = 0, damping = 0;     ///< of a spring [N/m], [N s/m], [N m/rad], [N m s/rad]; 0: none
+		bool isLimited() const { return from > -never() || to < never(); }
+		static constexpr double never() { return 1e30; }
 	};
 
 	struct Joint
@@ -125,6 +139,7 @@ struct SceneDescription
 		double height = 0, width = 0;  ///< of its section, to be drawn [m]; 0: unknown
 		JointType type = JointType::World;
 		double breaksAt = 0;                    ///< force at which one of Bullet's own breaks [N]; 0: never
+		Freedom freedoms[BT_EP_DOF_COUNT];      ///< of hinges, sliders, cone-twist and six-dof joints
 		double motorSpeed = 0, motorForce = 0;  ///< of a hinge [rad/s], [N m]; of a slider [m/s], [N]
 		bool collides = false;                  ///< its bodies with each other
 	};

@@ -21,6 +21,13 @@ const std::vector<Named<btElasticPlasticContacts>>& contactKinds()
 	return all;
 }
 
+const std::vector<Named<btElasticPlasticScheme>>& schemes()
+{
+	static const std::vector<Named<btElasticPlasticScheme>> all = {{"implicit", BT_EP_SCHEME_IMPLICIT},
+																   {"by-mode", BT_EP_SCHEME_BY_MODE}};
+	return all;
+}
+
 void worldFields(Fields& f, SceneDescription::WorldSettings& w)
 {
 	f.vector("gravity", w.gravity, "m/s^2", "acceleration", Need::Optional, {-1e4, 1e4});
@@ -31,6 +38,10 @@ void worldFields(Fields& f, SceneDescription::WorldSettings& w)
 	f.named("solver", w.solver, solvers(), "how it is solved");
 	f.whole("iterations", w.iterations, 1, 10000, "of solvers that iterate, and of swept contacts");
 	f.named("joints", w.joints, jointKinds(), "what stands for elastic-plastic joints");
+	f.named("scheme", w.scheme, schemes(),
+			"of elastic-plastic joints: what the step does not resolve is damped by the row or by the mode");
+	if (w.scheme != BT_EP_SCHEME_IMPLICIT && w.joints.joints != Joints::ElasticPlastic)
+		f.refuse("scheme", "is for the joints ep1 and ep2");
 	f.named("contacts", w.contacts, contactKinds(), "how the direct solver treats them");
 	f.whole("threads", w.threads, 1, btElasticPlasticSolverSettings::MAX_THREADS, "that solve islands");
 	f.flag("sleeps", w.sleeps, "bodies at rest fall asleep");

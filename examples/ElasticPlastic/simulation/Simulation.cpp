@@ -67,7 +67,13 @@ bool isDriven(const SceneDescription& scene)
 	return std::any_of(scene.bodies.begin(), scene.bodies.end(),
 					   [](const auto& body) { return body.motion == Motion::Kinematic; }) ||
 		   std::any_of(scene.joints.begin(), scene.joints.end(),
-					   [](const auto& joint) { return joint.type == JointType::Slider && joint.motorForce > 0; });
+					   [](const auto& joint)
+					   {
+						   return (joint.type == JointType::Slider && joint.motorForce > 0) ||
+								  std::any_of(std::begin(joint.freedoms), std::end(joint.freedoms),
+											  [](const auto& freedom)
+											  { return freedom.stiffness > 0 || freedom.damping > 0; });
+					   });
 }
 
 bool isFinite(const btVector3& v)
@@ -190,6 +196,36 @@ void Simulation::add(const SceneDescription::Body& body)
 	addBody(m_bodies.size() - 1);
 }
 
+namespace
+{
+btTypedConstraint* makeSixDof(const SceneDescription::Joint& j, btRigidBody& a, btRigidBody& b, const btTransform& inA,
+							  const btTransform& inB)
+{
+	auto* const joint = new btGeneric6DofSpring2Constraint(a, b, inA, inB);
+	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+	{
+		const SceneDescription::Freedom& freedom = j.freedoms[dof];
+		if (!freedom.isGiven)
+			joint->setLimit(dof, 0, 0);
+		// Bullet counts turns the other way round.
+		else if (freedom.isLimited() && dof >= BT_EP_TORSION)
+			joint->setLimit(dof, btScalar(-freedom.to), btScalar(-freedom.from));
+		else if (freedom.isLimited())
+			joint->setLimit(dof, btScalar(freedom.from), btScalar(freedom.to));
+		else
+			joint->setLimit(dof, 1, -1);
+		if (freedom.stiffness > 0 || freedom.damping > 0)
+		{
+			joint->enableSpring(dof, true);
+			joint->setStiffness(dof, btScalar(freedom.stiffness));
+			joint->setDamping(dof, btScalar(freedom.damping));
+			joint->setEquilibriumPoint(dof);
+		}
+	}
+	return joint;
+}
+}  // namespace
+
 btTypedConstraint* Simulation::makeBulletsOwn(const SceneDescription::Joint& j, btRigidBody& a, btRigidBody& b)
 {
 	const btTransform inA = a.getCenterOfMassTransform().inverse() * j.frame,
@@ -202,6 +238,10 @@ btTypedConstraint* Simulation::makeBulletsOwn(const SceneDescription::Joint& j, 
 			auto* const hinge = new btHingeConstraint(a, b, inA.getOrigin(), inB.getOrigin(),
 													  a.getCenterOfMassTransform().getBasis().transpose() * axis,
 													  b.getCenterOfMassTransform().getBasis().transpose() * axis);
+			const SceneDescription::Freedom& turn = j.freedoms[BT_EP_TORSION];
+			// Bullet counts a hinge's angle the other way round.
+			if (turn.isLimited())
+				hinge->setLimit(btScalar(-turn.to), btScalar(-turn.from));
 			if (j.motorForce > 0)
 				hinge->enableAngularMotor(true, btScalar(j.motorSpeed), btScalar(j.motorForce * m_scene.world.step));
 			m_feedbacks.push_back(std::make_unique<btJointFeedback>());
@@ -213,13 +253,23 @@ btTypedConstraint* Simulation::makeBulletsOwn(const SceneDescription::Joint& j, 
 		case JointType::Slider:
 		{
 			auto* const slider = new btSliderConstraint(a, b, inA, inB, true);
-			slider->setLowerLinLimit(1);
-			slider->setUpperLinLimit(-1);
+			const SceneDescription::Freedom& way = j.freedoms[BT_EP_AXIAL];
+			slider->setLowerLinLimit(btScalar(way.isLimited() ? way.from : 1));
+			slider->setUpperLinLimit(btScalar(way.isLimited() ? way.to : -1));
 			slider->setPoweredLinMotor(j.motorForce > 0);
 			slider->setTargetLinMotorVelocity(btScalar(j.motorSpeed));
 			slider->setMaxLinMotorForce(btScalar(j.motorForce));
 			return slider;
 		}
+		case JointType::ConeTwist:
+		{
+			auto* const cone = new btConeTwistConstraint(a, b, inA, inB);
+			const auto span = [&](int dof) { return btScalar(j.freedoms[dof].isGiven ? j.freedoms[dof].to : 0); };
+			cone->setLimit(span(BT_EP_BENDING_Z), span(BT_EP_BENDING_Y), span(BT_EP_TORSION));
+			return cone;
+		}
+		case JointType::SixDof:
+			return makeSixDof(j, a, b, inA, inB);
 		case JointType::Fixed:
 		case JointType::World:
 		case JointType::Spring:
@@ -242,6 +292,8 @@ void Simulation::buildJoint(size_t index)
 						   j.type == JointType::Spring ? JointClass::Spring : m_scene.world.joints.jointClass);
 		if (j.type == JointType::Paper)
 			built.joint->setScheme(BT_EP_SCHEME_PAPER);
+		else if (m_scene.world.scheme != BT_EP_SCHEME_IMPLICIT)
+			built.joint->setScheme(m_scene.world.scheme);
 		built.joint->setName(j.name.c_str());
 		// Bullet's class would lock translations that have no capacity.
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
