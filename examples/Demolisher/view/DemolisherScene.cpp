@@ -250,15 +250,12 @@ Bounds DemolisherScene::bounds() const
 
 Bounds DemolisherScene::wreckOf(Scene scene) const
 {
-	const btScalar far = 20;
 	const btVector3 place(m_settings.placeOf(scene), 0, 0);
-	Bounds bounds;
+	std::vector<Bounds> parts;
 	const auto add = [&](const btRigidBody& body)
 	{
-		Bounds own;
-		body.getAabb(own.low, own.high);
-		if ((own.centre() - place).length() < far)
-			bounds.add(own);
+		parts.emplace_back();
+		body.getAabb(parts.back().low, parts.back().high);
 	};
 	const Structure& structure = *m_demolisher->structure(scene);
 	for (const btRigidBody* box : structure.boxes())
@@ -266,8 +263,22 @@ Bounds DemolisherScene::wreckOf(Scene scene) const
 	for (const Beam& beam : structure.beams())
 		for (const btRigidBody* part : beam.m_parts)
 			add(*part);
-	bounds.low.setMin(place);
-	bounds.high.setMax(place);
+	// What was carried along is left out, unless nothing else is left.
+	const btScalar near = 20, furthest = 1000;
+	Bounds bounds;
+	for (btScalar far = near; bounds.isEmpty() && far < furthest; far *= 2)
+		for (const Bounds& part : parts)
+			if ((part.centre() - place).length() < far)
+				bounds.add(part);
+	if (bounds.isEmpty() || (bounds.centre() - place).length() < near)
+		bounds.add(place);
+	else
+	{
+		// By the vehicle.
+		Bounds carrier;
+		m_demolisher->vehicle().chassis().getAabb(carrier.low, carrier.high);
+		bounds.add(carrier);
+	}
 	return bounds;
 }
 

@@ -29,7 +29,7 @@ public:
 	/// Keeps the last seconds to go back to. What is saved changes results by rounding, so nothing is unless a person asks for it.
 	void setRemembers(bool on) { m_remembers = on; }
 
-	/// What is left of a structure where it was built.
+	/// What is left of a structure, where it was built or as near to that as there is any.
 	Bounds wreckOf(Scene scene) const;
 	/// The one that has taken up most energy.
 	Scene mostDamaged() const;
