@@ -94,15 +94,14 @@ std::vector<std::string> Keys::help(bool drive, bool panel)
 		lines = {"W S  or arrows: drive, brake and reverse", "A D  or arrows: steer", "Space  handbrake",
 				 "F1 F2 F3 F4  to the start of a scene"};
 	for (const char* line :
-		 {"P  pause,  N or O  single step", "[  slower,  ]  faster", "R  restart",
+		 {"P  pause,  N or O  single step", "[  slower,  ]  faster", "R  restart,  U  sound on or off",
 		  "C  camera,  mouse  turns it, wheel zooms", "mouse on a body  pulls it, right button  throws a ball",
 		  "E  a charge goes off where the mouse points",
 		  "Z  back to before the crash,  L  slow motion at breaks on or off"})
 		lines.emplace_back(line);
 	if (panel)
 		lines.emplace_back("M  panel on or off");
-	for (const char* line :
-		 {"F12  screenshot,  V  film on or off", "U  sound on or off", "Esc  quit", "H  help on or off"})
+	for (const char* line : {"F12  screenshot,  V  film on or off", "Esc  quit,  H  help on or off"})
 		lines.emplace_back(line);
 	return lines;
 }
