@@ -115,7 +115,11 @@ TEST(LiveScene, ChargeTearsTheMastWithSparks)
 			breaks = breaks || (burst.kind == Burst::Kind::Break && burst.isSteel);
 	}
 	EXPECT_TRUE(breaks);
+	EXPECT_TRUE(scene.isBreaking());
 	EXPECT_FALSE(scene.draw().puffs.empty());
+	for (int i = 0; i < 60; ++i)
+		scene.step(Controls());
+	EXPECT_FALSE(scene.isBreaking());
 	scene.restart();
 	EXPECT_TRUE(scene.draw().puffs.empty());
 }

@@ -351,6 +351,15 @@ void LiveScene::blowCharge(const Ray& ray)
 	m_effects.add({Burst::Kind::Charge, hit.place, mass * heat, false});
 }
 
+bool LiveScene::isBreaking() const
+{
+	const std::vector<SceneEvent>& events = m_simulation->events();
+	for (size_t i = events.size(); i-- > 0 && events[i].time > m_simulation->time() - .3;)
+		if (events[i].type == SceneEvent::Type::Break)
+			return true;
+	return false;
+}
+
 void LiveScene::key(char key)
 {
 	if (key != 'b')

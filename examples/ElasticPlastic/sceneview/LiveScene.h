@@ -38,6 +38,7 @@ public:
 	void throwBall(const Ray& ray) override;
 	void blowCharge(const Ray& ray) override;
 	std::vector<Burst> bursts() const override { return m_effects.bursts(); }
+	bool isBreaking() const override;
 	void key(char key) override;
 	std::vector<std::string> keyHelp() const override;
 
