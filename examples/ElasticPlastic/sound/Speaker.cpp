@@ -8,6 +8,8 @@
 #include <AL/alc.h>
 
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 
 #include "sound/Voice.h"
 #endif
@@ -19,6 +21,19 @@ namespace
 {
 const int RATE = 44100, VOICES = 24;
 const float NEAR_BY = 10;  // as loud as they are up to there [m]
+
+/// A card, a server, or what somebody has set: without, libraries would complain on the terminal.
+bool mayHaveDevice()
+{
+	namespace fs = std::filesystem;
+	std::error_code ignored;
+	for (const char* name : {"ALSOFT_DRIVERS", "ALSOFT_CONF", "PULSE_SERVER"})
+		if (std::getenv(name))
+			return true;
+	const char* const runtime = std::getenv("XDG_RUNTIME_DIR");
+	return fs::exists("/dev/snd", ignored) || (runtime && (fs::exists(fs::path(runtime) / "pulse", ignored) ||
+														   fs::exists(fs::path(runtime) / "pipewire-0", ignored)));
+}
 }  // namespace
 
 /// A source for each voice; the one that began first gives way.
@@ -32,7 +47,7 @@ struct Speaker::Works
 
 Speaker::Speaker()
 {
-	ALCdevice* const device = alcOpenDevice(nullptr);
+	ALCdevice* const device = mayHaveDevice() ? alcOpenDevice(nullptr) : nullptr;
 	if (!device)
 		return;
 	m_works.reset(new Works{device, alcCreateContext(device, nullptr), {}, {}});
