@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 # SPDX-License-Identifier: Zlib
-"""Conan 2 recipe: conan create packaging/conan"""
+"""Conan 2 recipe: conan create packaging/conan also builds and runs test_package with it."""
 
 import os
 
@@ -42,12 +42,19 @@ class BulletElasticPlasticConan(ConanFile):
     def _is_double(self):
         return bool(self.dependencies["bullet3"].options.get_safe("double_precision"))
 
+    @property
+    def _has_threads(self):
+        return bool(self.dependencies["bullet3"].options.get_safe("bt2_thread_locks"))
+
     def generate(self):
         toolchain = CMakeToolchain(self)
         for part in ("EXAMPLES", "TESTS", "BENCHMARKS"):
             toolchain.cache_variables["BULLET_EP_BUILD_" + part] = False
         toolchain.cache_variables["BULLET_ROOT"] = self.dependencies["bullet3"].package_folder
         toolchain.cache_variables["BULLET_EP_PRECISION"] = "double" if self._is_double else "float"
+        # Bullet's headers lock where its library does, and only if they are told.
+        if self._has_threads:
+            toolchain.preprocessor_definitions["BT_THREADSAFE"] = "1"
         toolchain.generate()
 
     def build(self):
@@ -69,5 +76,7 @@ class BulletElasticPlasticConan(ConanFile):
         self.cpp_info.set_property("cmake_file_name", "BulletElasticPlastic")
         self.cpp_info.set_property("cmake_target_name", "BulletElasticPlastic::BulletElasticPlastic" + suffix)
         self.cpp_info.set_property("pkg_config_name", "bullet-elastic-plastic" + suffix)
+        if self._has_threads:
+            self.cpp_info.defines = ["BT_THREADSAFE=1"]
         if self.settings.os in ("Linux", "FreeBSD"):
             self.cpp_info.system_libs = ["m", "pthread"]
