@@ -349,6 +349,37 @@ TEST(Contacts, SpringConstraintWithMotorAndLimitsInTheIsland)
 	EXPECT_LT(largestDifference(Solver::Stock, add), OTHER_ROWS);
 }
 
+// As all springs of Bullet 2.89: their rows ask for an infinite speed, and bounds are the force.
+TEST(Contacts, SpringsThatAskForAnInfiniteSpeedInTheIsland)
+{
+	struct Spring : btGeneric6DofSpring2Constraint
+	{
+		Spring(btRigidBody& a, btRigidBody& b) : btGeneric6DofSpring2Constraint(a, b, at(0.5, 0), at(-0.5, 0))
+		{
+			const int useInfiniteError = 1 << 16;  // BT_6DOF_FLAGS_USE_INFINITE_ERROR, which Bullet 2.89 does not have
+			m_flags |= useInfiniteError;
+		}
+	};
+	const auto add = [](Mixed& scene)
+	{
+		auto* const spring = new Spring(*scene.m_ground, *scene.m_a);
+		for (int dof = 3; dof < 6; ++dof)
+			spring->setLimit(dof, 0, 0);
+		spring->setLimit(1, 1, -1);
+		spring->enableSpring(1, true);
+		spring->setStiffness(1, 20000);
+		spring->setDamping(1, 2000);
+		scene.m_world.add(spring);
+	};
+	EXPECT_LT(largestDifference(Solver::Iterative, add), SAME_ROWS);
+	Mixed scene(Solver::Direct);
+	add(scene);
+	for (int i = 0; i < 600; ++i)
+		scene.m_world.step(FRAME);
+	// Both boxes hang on it.
+	EXPECT_NEAR(-120 * 10. / 20000, scene.m_a->getCenterOfMassPosition().y(), 1e-3);
+}
+
 TEST(Contacts, BallSocketsCarryABridgeOfJoints)
 {
 	// Hung from two points at its ends: hard rows and a mechanism, whose weight they share.

@@ -3,6 +3,8 @@
 
 #include "DirectForm.h"
 
+#include <cmath>
+
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
@@ -85,6 +87,18 @@ bool isFiniteRow(const SystemInput::SingleRow& row, const SystemInput::Bounded& 
 	for (const double element : row.m_J)
 		sum += element;
 	return btElasticPlasticIsFinite(sum);
+}
+
+/// Springs of btGeneric6DofSpring2Constraint ask for an infinite speed, in Bullet 2.89 always and later by a flag: what they mean is the
+/// force at which they are bounded.
+void boundInfinite(SystemInput::Bounded& terms)
+{
+	const double infinite = 1e30;  // [m/s], or an impulse [N s]
+	const double bound = terms.m_target > 0 ? terms.m_upper : terms.m_lower;
+	if (!(std::fabs(terms.m_target) > infinite && std::fabs(bound) < infinite))
+		return;
+	terms.m_lower = terms.m_upper = bound;
+	terms.m_target = 0;
 }
 
 /// Makes a row one that has no effect.
@@ -320,6 +334,7 @@ SystemInput::SingleRow& DirectForm::addRow(btSolverConstraint& from, const Solve
 	terms.m_compliance = btMax(double(from.m_cfm), HARD) * diagonal;
 	terms.m_lower = from.m_lowerLimit;
 	terms.m_upper = from.m_upperLimit;
+	boundInfinite(terms);
 	if (!isFiniteRow(row, terms))
 		makeIdle(row, terms);
 	return row;
