@@ -140,6 +140,9 @@ private:
 		// What was in the springs is lost with them.
 		if (joint.isBroken())
 			return before.m_dissipated + joint.getElasticEnergy();
+		// Where iterations have ended before the solution, strain is not what has been stored.
+		if (!joint.getState().m_solvedExactly)
+			return energy + joint.getElasticEnergy();
 		const btElasticPlasticCapacity& c = joint.getCapacity();
 		double mean[BT_EP_DOF_COUNT];
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
@@ -152,10 +155,8 @@ private:
 			if (c.isElasticPlastic(dof) && !c.isRigidPlastic(dof))
 				energy += 0.5 * mean[dof] * mean[dof] / double(c.m_stiffness[dof]);
 		}
-		if (joint.getState().m_solvedExactly)
-			for (int dof = BT_EP_SHEAR_Y; dof <= BT_EP_SHEAR_Z; ++dof)
-				energy +=
-					mean[dof] * mean[btElasticPlasticCapacity::coupledWith(dof)] * double(c.couplingCompliance(dof));
+		for (int dof = BT_EP_SHEAR_Y; dof <= BT_EP_SHEAR_Z; ++dof)
+			energy += mean[dof] * mean[btElasticPlasticCapacity::coupledWith(dof)] * double(c.couplingCompliance(dof));
 		return energy;
 	}
 

@@ -109,10 +109,11 @@ public:
 	/// is loaded
 	int getRulingFibre() const;
 
-	/// Stored in the springs, f^2 / 2k [J]; of a broken joint: what it held when it broke, lost in the fracture.
+	/// Stored in the springs, f^2 / 2k [J]; of a broken joint: what it held when it broke, lost in the fracture. With a solver whose iterations
+	/// may end before the solution, as far as the bodies have given for it: the strain that such a solver leaves is no energy.
 	double getElasticEnergy() const;
 
-	/// Dissipated by plastic flow [J].
+	/// Dissipated by plastic flow, force times way [J]; with such a solver as far as the bodies have given for it, to a half of a step's flow.
 	double getPlasticEnergy() const;
 
 	/// Dissipated by the material's damping [J].

@@ -3,6 +3,8 @@
 
 #include "JointModel.h"
 
+#include <math.h>
+
 #include <initializer_list>
 
 #include "BodyGate.h"
@@ -126,17 +128,18 @@ btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
 		const char* m_name;
 		const btScalar* m_values;
 		int m_count;
-	} arrays[] = {{"the state's force", state.m_force, BT_EP_DOF_COUNT},
-				  {"the state's rate of force", state.m_forceRate, BT_EP_DOF_COUNT},
-				  {"the state's applied force", state.m_applied, BT_EP_DOF_COUNT},
-				  {"the state's applied force of the step before", state.m_appliedBefore, BT_EP_DOF_COUNT},
-				  {"the state's damping force", state.m_branch[0], int(BT_EP_DOF_COUNT) * int(btElasticPlasticState::BRANCHES)},
-				  {"the state's plastic deformation", state.m_plastic, BT_EP_DOF_COUNT},
-				  {"the state's plastic path", state.m_plasticPath, BT_EP_DOF_COUNT},
-				  {"the state's withheld deformation", state.m_withheld, BT_EP_DOF_COUNT},
-				  {"the state's watched deformation", state.m_watched, BT_EP_DOF_COUNT},
-				  {"the state's initial offset", state.m_initial, 3},
-				  {"the state's strain of fibres", state.m_fibreStrain, 3}};
+	} arrays[] = {
+		{"the state's force", state.m_force, BT_EP_DOF_COUNT},
+		{"the state's rate of force", state.m_forceRate, BT_EP_DOF_COUNT},
+		{"the state's applied force", state.m_applied, BT_EP_DOF_COUNT},
+		{"the state's applied force of the step before", state.m_appliedBefore, BT_EP_DOF_COUNT},
+		{"the state's damping force", state.m_branch[0], int(BT_EP_DOF_COUNT) * int(btElasticPlasticState::BRANCHES)},
+		{"the state's plastic deformation", state.m_plastic, BT_EP_DOF_COUNT},
+		{"the state's plastic path", state.m_plasticPath, BT_EP_DOF_COUNT},
+		{"the state's withheld deformation", state.m_withheld, BT_EP_DOF_COUNT},
+		{"the state's watched deformation", state.m_watched, BT_EP_DOF_COUNT},
+		{"the state's initial offset", state.m_initial, 3},
+		{"the state's strain of fibres", state.m_fibreStrain, 3}};
 	for (const auto& array : arrays)
 		for (int i = 0; i < array.m_count; ++i)
 			if (!btElasticPlasticIsFinite(double(array.m_values[i])))
@@ -149,6 +152,9 @@ btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
 			if (!btElasticPlasticIsFinite(double(value)))
 				return btElasticPlasticFault("a number of one of the state's fibres", value, "finite");
 	}
+	if (!btElasticPlasticIsFinite(state.m_storedEnergy) || !btElasticPlasticIsFinite(state.m_placeEnergy))
+		return btElasticPlasticFault("the state's stored energy [J]",
+									 btScalar(state.m_storedEnergy + state.m_placeEnergy), "finite");
 	if (!btElasticPlasticIsFinite(state.m_work))
 		return btElasticPlasticFault("the state's work [J]", btScalar(state.m_work), "finite");
 	return btElasticPlasticFault();
@@ -168,8 +174,9 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 		// A force on the yield value may be rounded to either side of it. That of fibres is seen with them.
 		// Where a mean force at yield follows one at yield to the other side, a spring is strained for a step to five times its yield
 		// value, and somewhat more where the material damps.
-		const btScalar most = isElasticPlastic(i) ? m_capacity.m_yield[i] * (m_isByMode || m_capacity.m_damping > 0 ? 8 : ROUNDED)
-												  : btScalar(0);
+		const btScalar most = isElasticPlastic(i)
+								  ? m_capacity.m_yield[i] * (m_isByMode || m_capacity.m_damping > 0 ? 8 : ROUNDED)
+								  : btScalar(0);
 		if (btFabs(state.m_force[i]) > most && !isOfFibres(i))
 			return btElasticPlasticFault("the state's force", state.m_force[i],
 										 "within the joint's yield value (0 where it is not elastic-plastic)", i);
@@ -270,9 +277,11 @@ void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
 /// its elastic energy counts as numerical energy.
 void JointModel::keepForce(const btElasticPlasticCapacity& before)
 {
+	double held = 0;
 	btScalar change[BT_EP_DOF_COUNT] = {};
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
+		held += 0.5 * double(m_state.m_force[i]) * double(elasticDeformation(before, i));
 		const bool isSpring = m_capacity.isElasticPlastic(i) && !m_capacity.isRigidPlastic(i);
 		const bool wasSpring = before.isElasticPlastic(i) && !before.isRigidPlastic(i);
 		const bool isTheSame = m_capacity.m_stiffness[i] == before.m_stiffness[i] &&
@@ -283,6 +292,9 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 		change[i] = elasticDeformation(before, i) - elasticDeformation(i);
 		m_state.m_forceRate[i] = 0;
 	}
+	const double springs = springEnergy();
+	m_state.m_storedEnergy *= held > 0 ? springs / held : 1;
+	m_state.m_placeEnergy = -1;
 	moveReference(change);
 }
 
@@ -447,6 +459,13 @@ btScalar JointModel::fibreUtilisation() const
 }
 
 double JointModel::elasticEnergy() const
+{
+	const double springs = springEnergy();
+	return m_state.m_solvedExactly || m_state.m_lastStep == 0 ? springs
+															  : fmax(fmin(springs, m_state.m_storedEnergy), 0);
+}
+
+double JointModel::springEnergy() const
 {
 	const MaterialDamping damping(m_capacity.m_damping, 1);
 	double energy = 0;

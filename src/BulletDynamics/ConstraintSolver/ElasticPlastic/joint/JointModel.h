@@ -92,6 +92,9 @@ struct JointModel
 	/// In the springs, and in those by which the material damps [J].
 	double elasticEnergy() const;
 
+	/// Of the springs' forces and deformations [J].
+	double springEnergy() const;
+
 	/// Share of the ductility that is spent, the sum over the degrees of freedom (Miner's rule), with fibres of the section as one.
 	btScalar damage() const
 	{

@@ -244,7 +244,9 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 	m_joints.closeGaps();
 	m_broken.closeGaps();
 	applyMotions(world);
+	limitEnergy();
 	commitJoints(world);
+	m_ledger.book();
 	removeBrokenFromWorld(world);
 	endSeparations();
 	tellLeftOut(world);
@@ -330,6 +332,22 @@ bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joi
 		return false;
 	const bool mayBeWatched = joint.wasInStep() || (joint.mayHaveSupport() && isInWorld(world, joint));
 	return mayBeWatched && joint.isLoadChanging(m_wakingShare);
+}
+
+/// Keeps joints from giving more than they have where a solver's iterations have ended before the solution.
+void JointRegistry::limitEnergy()
+{
+	m_ledger.begin();
+	if (!m_hasUnsure.exchange(false, std::memory_order_relaxed))
+		return;
+	for (int i = 0; i < m_joints.getEnd(); ++i)
+	{
+		JointWorks& joint = *m_joints[i].m_joint;
+		joint.takeFeedback();
+		if (joint.m_step.isUnsure())
+			m_ledger.add(joint);
+	}
+	m_ledger.limit();
 }
 
 void JointRegistry::commitJoints(const btDynamicsWorld& world)

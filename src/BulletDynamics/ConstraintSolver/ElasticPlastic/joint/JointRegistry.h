@@ -4,10 +4,12 @@
 #ifndef BT_ELASTIC_PLASTIC_JOINT_REGISTRY_H
 #define BT_ELASTIC_PLASTIC_JOINT_REGISTRY_H
 
+#include <atomic>
 #include <mutex>
 #include <vector>
 
 #include "../../btElasticPlasticEvent.h"
+#include "EnergyLedger.h"
 #include "EventQueue.h"
 #include "GapList.h"
 #include "BodyMotion.h"
@@ -113,6 +115,9 @@ public:
 	/// How a body has gone through the last substep. \return null if it has not taken inner steps
 	const BodyMotion* findMotion(const btRigidBody& body) const;
 
+	/// Tells that a solver that is not exact has a joint in the substep under way. Threads of a solver call it.
+	void expectUnsure() { m_hasUnsure.store(true, std::memory_order_relaxed); }
+
 	/// Ends a substep: puts bodies that have gone through inner steps where these have ended, commits every joint, takes broken
 	/// ones out of the world, and tells of events.
 	void commit(btDynamicsWorld& world, btScalar timeStep);
@@ -132,6 +137,7 @@ private:
 
 	bool isBroken(const JointWorks& joint);
 	void removeJointsOf(const btRigidBody& body, List& list);
+	void limitEnergy();
 	void commitJoints(const btDynamicsWorld& world);
 	bool hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint) const;
 	void wakeNeighbours(btDynamicsWorld& world, btRigidBody& body);
@@ -157,6 +163,8 @@ private:
 	btAlignedObjectArray<JointWorks*>
 		m_leftOut;  ///< those that hold, and were in the substep before, but not in this one
 	EventQueue m_events;
+	EnergyLedger m_ledger;
+	std::atomic<bool> m_hasUnsure{false};  ///< joints that the ledger has to look at
 	btAlignedObjectArray<btElasticPlasticListener*> m_listeners;
 	std::vector<BodyMotion> m_taken, m_motions;  ///< of the substep under way, of the last one
 	btHashMap<btHashPtr, int> m_motionOf;        ///< index of m_motions, by body

@@ -79,7 +79,7 @@ bool JointStep::evaluate(btScalar dt)
 	projectVelocities(velocity);
 	m_spin0 = m_model.bodyA().getAngularVelocity() - m_model.bodyB().getAngularVelocity();
 	m_dampingImpulse.setZero();
-	m_hasRecovery = m_isCut = false;
+	m_hasRecovery = m_isCut = m_isWorkKnown = false;
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		m_row[r].m_velocity0 = velocity[m_row[r].m_dof];
@@ -171,6 +171,7 @@ SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForSto
 		const btScalar a = s.m_stiffness * m_dt * m_dt * diagonal;
 		soft = implicitRow(s, meanForce(a), a, m_dt);
 	}
+	m_erp = erp;
 	row.m_isForStock = isForStock;
 	row.m_lower = soft.m_lower;
 	row.m_upper = soft.m_upper;
@@ -427,6 +428,19 @@ void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 			A.getAngularVelocity() - B.getAngularVelocity(), onAxes);
 }
 
+/// J v of all degrees of freedom, and the relative angular velocity, with which the bodies were moved: other actions may have changed
+/// the present velocities already.
+void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) const
+{
+	const Kinematics& k = m_kinematics;
+	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
+	spin = wA - wB;
+	project(
+		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB),
+		spin, onAxes);
+}
+
 /// Whether a joint can go on from what the step has left. One of Bullet's own solvers may have made nothing finite of it.
 /// \param work  taken from the bodies since the joint was new
 bool JointStep::isUsable(double work) const
@@ -486,22 +500,89 @@ void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT])
 	}
 }
 
+double JointStep::getLoan() const
+{
+	double loan = 0;
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		const int dof = m_row[r].m_dof;
+		if (!m_model.m_capacity.isRigidPlastic(dof))
+			continue;
+		// The pair of bodies is set in motion to close the gap.
+		const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
+		const btVector3& axis = m_kinematics.m_axis[dof % 3];
+		const double velocity = double(m_erp * m_kinematics.m_strain[dof] / m_dt);
+		const btVector3 turning = A.getInvInertiaTensorWorld() * axis + B.getInvInertiaTensorWorld() * axis;
+		const double mobility = double(dof < 3 ? A.getInvMass() + B.getInvMass() : axis.dot(turning));
+		if (mobility > 0)
+			loan += 0.5 * velocity * velocity / mobility;
+	}
+	return loan;
+}
+
+/// What it takes to bring the joint to a strain, flow included [J].
+double JointStep::strainEnergy(const Kinematics& k) const
+{
+	double energy = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		const double stiffness = double(m_model.m_capacity.m_stiffness[i]),
+					 yield = double(m_model.m_capacity.m_yield[i]);
+		if (!m_model.isElasticPlastic(i) || m_model.m_capacity.isRigidPlastic(i) || !(stiffness > 0))
+			continue;
+		const double strain = fabs(double(k.m_strain[i])), elastic = fmin(strain, yield / stiffness);
+		energy += 0.5 * stiffness * elastic * elastic + (strain > elastic ? yield * (strain - elastic) : 0);
+	}
+	return fmin(energy, btElasticPlasticCapacity::unlimited());
+}
+
+double JointStep::getStored() const
+{
+	const btElasticPlasticState& state = m_model.m_state;
+	if (state.m_lastStep == 0)
+		return strainEnergy(m_kinematics);
+	if (state.m_solvedExactly)
+		return m_model.springEnergy();
+	const double had = state.m_storedEnergy;
+	if (state.m_placeEnergy < 0 || m_model.bodyA().isKinematicObject() || m_model.bodyB().isKinematicObject())
+		return had;
+	return had + fmax(strainEnergy(m_kinematics) - state.m_placeEnergy, 0);
+}
+
+double JointStep::measureWork() const
+{
+	btVector3 spin;
+	btScalar velocity[BT_EP_DOF_COUNT];
+	projectEnd(velocity, spin);
+	return 0.5 * twiceWork(velocity, spin);
+}
+
+double JointStep::getHalfStep() const
+{
+	double most = 0;
+	for (int r = 0; r < m_numCommittedRows; ++r)
+		most += 0.5 * fabs(double(m_row[r].m_impulse) * double(m_row[r].m_velocity1));
+	return most;
+}
+
+void JointStep::rememberPlace()
+{
+	Kinematics now;
+	m_model.measure(now);
+	m_model.m_state.m_placeEnergy = strainEnergy(now);
+}
+
 int JointStep::commit()
 {
 	m_numCommittedRows = m_numRows;
 	if (m_numRows == 0)
 		return NOTHING;
-	const Kinematics& k = m_kinematics;
-	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
-	// The velocities with which the bodies were moved: other actions may have changed the present ones already.
-	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
-	const btVector3 linear =
-		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB);
+	btVector3 spin1;
 	btScalar velocity1[BT_EP_DOF_COUNT], increment[BT_EP_DOF_COUNT] = {}, unloaded[BT_EP_DOF_COUNT] = {},
 										 change[BT_EP_DOF_COUNT] = {};
-	project(linear, wA - wB, velocity1);
+	projectEnd(velocity1, spin1);
 	btElasticPlasticState& state = m_model.m_state;
-	const double work = state.m_work - 0.5 * twiceWork(velocity1, wA - wB);
+	const double work = state.m_work - (m_isWorkKnown ? m_given : 0.5 * twiceWork(velocity1, spin1));
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 		m_row[r].m_velocity1 = velocity1[m_row[r].m_dof];
 	if (!isUsable(work))

@@ -93,8 +93,38 @@ public:
 	/// J v of all degrees of freedom at the bodies' present velocities, along the axes of the step.
 	void projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const;
 
+	// ---- for EnergyLedger, before commit()
+
+	/// Whether the joint has a part in the step that no exact solver has solved.
+	bool isUnsure() const { return m_numRows > 0 && !m_row[0].m_isBoundKnown; }
+
+	/// What the joint has had from its bodies before the step and not given back; with what it has been given by who has moved them
+	/// since [J].
+	double getStored() const;
+
+	/// What it may give beyond that: rigid-plastic rows close by error reduction, and take the speed back as they do [J].
+	double getLoan() const;
+
+	/// What the step's impulses give to the bodies [J].
+	double measureWork() const;
+
+	/// What the joint is to count as given [J].
+	void setWork(double given)
+	{
+		m_given = given;
+		m_isWorkKnown = true;
+	}
+
 	/// Ends the step: return mapping, plastic increments, energies, damage. Does nothing if the joint was not in the step.
 	int commit();
+
+	// ---- for EnergyLedger, after commit()
+
+	/// What the springs' energy differs at most from what has been given for it, as places stand half a step after velocities [J].
+	double getHalfStep() const;
+
+	/// Remembers how the bodies stand at the end of the step.
+	void rememberPlace();
 
 	/// Forgets the step: the state stays as it was committed last.
 	void revert() { m_numRows = 0; }
@@ -154,6 +184,7 @@ private:
 	void takeBackKinematicMotion();
 	int getNumPlainRows() const { return m_usesFibres ? m_numRows - 3 : m_numRows; }
 	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
+	void projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) const;
 	bool isUsable(double work) const;
 	MeanForce meanForce(btScalar a) const
 	{
@@ -162,6 +193,7 @@ private:
 	}
 	btScalar deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) const;
 	void damp(const btScalar change[BT_EP_DOF_COUNT]);
+	double strainEnergy(const Kinematics& k) const;
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
 	JointModel& m_model;
@@ -170,7 +202,9 @@ private:
 	btScalar m_dt = 0;
 	btScalar m_withheld[BT_EP_DOF_COUNT];  ///< strain that this step leaves to later ones, see withholdDrift()
 	btScalar m_withheldStep = 0;
-	bool m_hasRecovery = false, m_isCut = false, m_usesFibres = false;
+	btScalar m_erp = 0;
+	double m_given = 0;  ///< see setWork()
+	bool m_hasRecovery = false, m_isCut = false, m_usesFibres = false, m_isWorkKnown = false;
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step

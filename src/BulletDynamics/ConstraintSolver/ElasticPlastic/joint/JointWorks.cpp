@@ -240,6 +240,8 @@ void JointWorks::writeRows(btTypedConstraint::btConstraintInfo2* info, int first
 			info->m_lowerLimit[s] = info->m_upperLimit[s] = 0;
 		return;
 	}
+	if (m_entry.m_registry)
+		m_entry.m_registry->expectUnsure();
 	const Kinematics& k = m_step.getKinematics();
 	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
 	const bool isWhole = m_request == WHOLE_ROWS;
@@ -333,6 +335,12 @@ bool JointWorks::beginInside()
 	return m_entry.m_registry && !isAwaited && m_step.getNumRows() == 0;
 }
 
+void JointWorks::takeFeedback()
+{
+	if (!m_isCommittedInside && m_step.getNumRows() > 0 && m_request == WHOLE_ROWS)
+		m_feedback.decode(m_model.m_constraint, m_step);
+}
+
 int JointWorks::commit()
 {
 	const int inside = m_outcome;
@@ -341,8 +349,6 @@ int JointWorks::commit()
 	m_isCommittedInside = false;
 	if (isDone)
 		return inside;
-	if (m_step.getNumRows() > 0 && m_request == WHOLE_ROWS)
-		m_feedback.decode(m_model.m_constraint, m_step);
 	return inside | m_step.commit();
 }
 

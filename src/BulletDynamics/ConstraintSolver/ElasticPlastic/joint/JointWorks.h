@@ -103,6 +103,9 @@ public:
 
 	// ---- for the registry
 
+	/// Takes what a solver of Bullet's tells of the step, before commit().
+	void takeFeedback();
+
 	/// Ends the step. \return JointStep::Outcome
 	int commit();
 
