@@ -136,8 +136,10 @@ TEST(Charpy, AuditCloses)
 			SCOPED_TRACE(testing::Message() << way.name << (paper ? " paper" : " repeatable"));
 			EXPECT_GT(r.loss(), 0);
 			EXPECT_LT(std::fabs(r.auditError()), 0.005);  // as asked
-			// All that is left is rounding and Bullet's gyroscopic impulses: 1e-5 and 1e-4 of the energy at play.
-			EXPECT_LT(std::fabs(r.auditError() * r.loss()), byPrecision(1e-5, 1e-4) * r.hammerBefore);
+			// All that is left is rounding and Bullet's gyroscopic impulses: 1e-5 and 1e-4 of the energy at play. Where joints of Bullet's own
+			// solver are braked after the step, for they would give more than they have, contacts' work is counted by the braked velocity: 1e-3.
+			const double share = paper ? 1e-3 : byPrecision(1e-5, 1e-4);
+			EXPECT_LT(std::fabs(r.auditError() * r.loss()), share * r.hammerBefore);
 		}
 }
 

@@ -86,6 +86,37 @@ TEST(Triangles, EncloseTheirShapesFromOutside)
 		EXPECT_NEAR(double(normal.length()), 1, 1e-5);
 }
 
+TEST(Gltf, TurnsAreUnitQuaternionsWithinOne)
+{
+	// Of a matrix in float some quaternions come out a little longer than 1, of a turn next to none with a number above 1.
+	const TemporaryFolder folder;
+	std::string bodies;
+	for (int i = 0; i < 400; ++i)
+		bodies += std::string(i > 0 ? "," : "") + R"({"name": "b)" + std::to_string(i) +
+				  R"(", "box": [1, 1, 1], "at": [)" + std::to_string(2 * i) + R"(, 0, 0], "turn": [)" +
+				  std::to_string(i % 7 - 3) + "," + std::to_string(i % 5) + ", 1," +
+				  std::to_string(i < 200 ? 1e-3 * i : 0.9 * i) + "]}";
+	Simulation s(sceneOf(R"("title": "turned", "end": {"time": 0.05}, "bodies": [)" + bodies + "]"));
+	GltfFilm film(s);
+	s.step();
+	film.step();
+	film.write(folder.path() + "/turned.glb");
+	const tinygltf::Model model = readBack(folder.path() + "/turned.glb");
+	for (const tinygltf::Node& node : model.nodes)
+	{
+		double square = 0;
+		for (const double number : node.rotation)
+		{
+			EXPECT_LE(std::fabs(number), 1) << node.name;
+			square += number * number;
+		}
+		if (!node.rotation.empty())
+		{
+			EXPECT_NEAR(square, 1, 4e-7) << node.name;
+		}
+	}
+}
+
 TEST(Gltf, TracksOfBodiesAreTheirPoses)
 {
 	const TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include "gltf/GltfFilm.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -27,6 +28,16 @@ void append(std::vector<float>& numbers, const btVector3& v)
 		numbers.push_back(float(v[i]));
 }
 
+/// A turn as the format has it: no number may be above 1, not even by rounding.
+std::array<float, 4> numbersOf(const btQuaternion& turn)
+{
+	std::array<float, 4> numbers;
+	const double length = std::sqrt(double(turn.length2()));
+	for (int i = 0; i < 4; ++i)
+		numbers[size_t(i)] = float(std::min(std::max(double(turn[i]) / length, -1.), 1.));
+	return numbers;
+}
+
 /// A pose over time.
 struct Track
 {
@@ -39,8 +50,8 @@ struct Track
 		// The nearer one of the two that are the same turn: between pictures it is turned the short way.
 		const btQuaternion turn = pose.getRotation();
 		last = turn.dot(last) < 0 ? -turn : turn;
-		append(turns, btVector3(last.x(), last.y(), last.z()));
-		turns.push_back(float(last.w()));
+		const std::array<float, 4> numbers = numbersOf(last);
+		turns.insert(turns.end(), numbers.begin(), numbers.end());
 	}
 };
 
@@ -79,10 +90,10 @@ int addMesh(tinygltf::Model& model, BufferWriter& writer, const SceneDescription
 
 void setPose(tinygltf::Node& node, const btTransform& pose)
 {
-	const btQuaternion turn = pose.getRotation();
+	const std::array<float, 4> turn = numbersOf(pose.getRotation());
 	const btVector3& place = pose.getOrigin();
 	node.translation = {double(place.x()), double(place.y()), double(place.z())};
-	node.rotation = {double(turn.x()), double(turn.y()), double(turn.z()), double(turn.w())};
+	node.rotation.assign(turn.begin(), turn.end());
 }
 
 void addTrack(tinygltf::Animation& animation, int node, const char* path, const char* interpolation, int times,
