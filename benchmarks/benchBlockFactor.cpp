@@ -173,7 +173,7 @@ int registerAll()
 			entry->UseManualTime()->Unit(benchmark::kMicrosecond);
 			// Only the factor has kernels for several vectors, and no use for the widest in a chain.
 			const bool isFactors = work.m_ours != &Problem::analyse && work.m_ours != &Problem::multiply;
-			for (int width = 2; width <= (isFactors ? (graph.m_isChain ? 4 : 8) : 2); width *= 2)
+			for (int width = 1; width <= (isFactors ? (graph.m_isChain ? 4 : 8) : 1); width *= 2)
 				entry->Arg(width);
 		}
 	return 0;

@@ -13,6 +13,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticBulletFile.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConversion.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticEnergyAudit.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticSnapshot.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepper.h"

@@ -19,7 +19,7 @@ struct CInterface : testing::Test
 	btep_world* m_world = nullptr;
 	int m_wall = 0, m_block = 0;
 	btep_body_description m_cube = {sizeof m_cube, BTEP_BOX, {1, 1, 1}, 0, {0, 0, 0}, {0, 0, 0, 1}, 0.5};
-	btep_capacity m_capacity = {sizeof m_capacity, {}, {}, {}, {}, 0, 0};
+	btep_capacity m_capacity = {sizeof m_capacity, {}, {}, {}, {}, 0, 0, 0};
 
 	CInterface()
 	{
@@ -83,7 +83,7 @@ TEST_F(CInterface, RefusesWhatIsOutOfRange)
 	m_capacity.m_stiffness[0] = -1;
 	EXPECT_EQ(BTEP_BAD_VALUE, btep_joint_create(m_world, m_wall, m_block, ORIGIN, UPRIGHT, &m_capacity, &made));
 	expectMessage("stiffness");
-	btep_material steel = {sizeof steel, 200e9, 0.3, 0, 0.2, 0};
+	btep_material steel = {sizeof steel, 200e9, 0.3, 0, 0.2, 0, 1, 0};
 	EXPECT_EQ(BTEP_BAD_VALUE, btep_capacity_of_member(m_world, &steel, 0.1, 0.1, 1, 1, &m_capacity));
 	expectMessage("yield stress");
 	// The world goes on.
@@ -122,7 +122,7 @@ TEST_F(CInterface, EventsOfWhatIsDestroyedAreNotTold)
 	for (double& each : m_capacity.m_ductility)
 		each = 1e-3;
 	ASSERT_EQ(BTEP_OK, btep_joint_create(m_world, m_wall, m_block, middle, UPRIGHT, &m_capacity, &joint));
-	btep_event event = {sizeof event, 0, 0, 0, 0, 0, {}, {}, {}};
+	btep_event event = {sizeof event, 0, 0, 0, 0, 0, {}, {}, {}, 0, 0};
 	EXPECT_EQ(BTEP_NO_EVENT, btep_event_next(m_world, &event));
 	ASSERT_EQ(BTEP_OK, btep_body_apply_force(m_world, m_block, force));
 	ASSERT_EQ(BTEP_OK, btep_world_step(m_world, 1. / 60));
@@ -131,5 +131,91 @@ TEST_F(CInterface, EventsOfWhatIsDestroyedAreNotTold)
 	EXPECT_EQ(joint, event.m_joint);
 	ASSERT_EQ(BTEP_OK, btep_body_destroy(m_world, m_block));
 	EXPECT_EQ(BTEP_NO_EVENT, btep_event_next(m_world, &event));
+}
+
+TEST_F(CInterface, TellsWhatCracksAndRuptures)
+{
+	// 30 x 30 cm of concrete with two bars is pulled at 0.1 m/s: it cracks throughout, then the bars rupture.
+	const btep_material concrete = {sizeof concrete, 30e9, 0.2, 30e6, 1e-5, 0.03, 0.1, 0.0035},
+						bar = {sizeof bar, 200e9, 0.3, 500e6, 0.01, 0.01, 1, 0};
+	int section = 0, joint = 0, count = 0, heavy = 0;
+	m_cube.m_mass = 1e6;
+	ASSERT_EQ(BTEP_OK, btep_body_create(m_world, &m_cube, &heavy));
+	ASSERT_EQ(BTEP_OK, btep_section_create(m_world, &concrete, 0.3, 0.3, 16, &section));
+	for (const double z : {-0.1, 0.1})
+		ASSERT_EQ(BTEP_OK, btep_section_add_bar(m_world, section, -0.1, z, 3e-4, &bar));
+	ASSERT_EQ(BTEP_OK, btep_capacity_of_section(m_world, section, 1, 1, 0.5, &m_capacity));
+	ASSERT_EQ(BTEP_OK, btep_section_destroy(m_world, section));
+	const double middle[3] = {0, -0.5, 0}, down[4] = {0, 0, -sqrt(0.5), sqrt(0.5)}, still[3] = {0, 0, 0},
+				 pull[3] = {0, -0.1, 0};
+	ASSERT_EQ(BTEP_OK, btep_joint_create(m_world, m_wall, heavy, middle, down, &m_capacity, &joint));
+	ASSERT_EQ(BTEP_OK, btep_joint_get_num_fibres(m_world, joint, &count));
+	ASSERT_EQ(18, count);
+	int cracks = 0, ruptures = 0;
+	bool isBroken = false;
+	for (int i = 0; i < 480 && !isBroken; ++i)
+	{
+		ASSERT_EQ(BTEP_OK, btep_body_set_velocity(m_world, heavy, pull, still));
+		ASSERT_EQ(BTEP_OK, btep_world_step(m_world, 1. / 480));
+		btep_event event = {sizeof event, 0, 0, 0, 0, 0, {}, {}, {}, 0, 0};
+		while (btep_event_next(m_world, &event) == BTEP_OK)
+		{
+			EXPECT_EQ(joint, event.m_joint);
+			isBroken |= event.m_type == BTEP_BREAK;
+			if (event.m_type != BTEP_CRACK && event.m_type != BTEP_RUPTURE)
+			{
+				EXPECT_EQ(-1, event.m_fibre);
+				EXPECT_EQ(-1, event.m_part);
+				continue;
+			}
+			btep_fibre fibre = {sizeof fibre, 0, 0, 0, 0, 0, 0, 0};
+			ASSERT_EQ(BTEP_OK, btep_joint_get_fibre(m_world, joint, event.m_fibre, &fibre));
+			EXPECT_EQ(event.m_part, fibre.m_part);
+			EXPECT_EQ(0, fibre.m_force);
+			// All of the section has cracked before a bar goes.
+			if (event.m_type == BTEP_CRACK)
+			{
+				EXPECT_EQ(0, event.m_part);
+				EXPECT_TRUE(fibre.m_is_cracked);
+				EXPECT_EQ(0, ruptures);
+				++cracks;
+			}
+			else if (event.m_part > 0)
+			{
+				EXPECT_EQ(1, fibre.m_damage);
+				++ruptures;
+			}
+		}
+	}
+	EXPECT_EQ(16, cracks);
+	EXPECT_EQ(2, ruptures);
+	EXPECT_TRUE(isBroken);
+}
+
+TEST_F(CInterface, RefusesSectionsThatAreNone)
+{
+	btep_material steel = {sizeof steel, 200e9, 0.3, 2e8, 0.2, 0, 1, 0};
+	int section = 0, joint = 0;
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_section_create(m_world, &steel, 0.3, 0.3, 1000, &section));
+	expectMessage("fibres");
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_section_create(m_world, &steel, 0.3, -1, 0, &section));
+	expectMessage("height");
+	ASSERT_EQ(BTEP_OK, btep_section_create(m_world, &steel, 0.3, 0.3, 0, &section));
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_section_add_bar(m_world, section, 0, 0, 0, &steel));
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_capacity_of_section(m_world, section, 0, 0, 0, &m_capacity));
+	steel.m_yield_stress = -1;
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_section_add_bar(m_world, section, 0, 0, 1e-4, &steel));
+	ASSERT_EQ(BTEP_OK, btep_capacity_of_section(m_world, section, 1, 1, 0, &m_capacity));
+	const double middle[3] = {0, -0.5, 0};
+	ASSERT_EQ(BTEP_OK, btep_joint_create(m_world, m_wall, m_block, middle, UPRIGHT, &m_capacity, &joint));
+	btep_fibre fibre = {sizeof fibre, 0, 0, 0, 0, 0, 0, 0};
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_joint_get_fibre(m_world, joint, -1, &fibre));
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_joint_get_fibre(m_world, joint, 16, &fibre));
+	EXPECT_EQ(BTEP_OK, btep_section_destroy(m_world, section));
+	EXPECT_EQ(BTEP_BAD_HANDLE, btep_section_destroy(m_world, section));
+	EXPECT_EQ(BTEP_BAD_HANDLE, btep_capacity_of_section(m_world, section, 1, 1, 0, &m_capacity));
+	m_capacity.m_fibres = 99;
+	EXPECT_EQ(BTEP_BAD_HANDLE, btep_joint_create(m_world, m_wall, m_block, middle, UPRIGHT, &m_capacity, &joint));
+	expectMessage("m_fibres");
 }
 }  // namespace

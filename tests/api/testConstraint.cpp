@@ -186,7 +186,10 @@ TEST(Constraint, RigidPlasticHoldsThenFlows)
 		}
 		const double way = 200. / 12 / 3600 * 60 * 61 / 2;
 		EXPECT_NEAR(way, joint->getPlasticDeformation(BT_EP_AXIAL), byPrecision(1e-6, 1e-3) * way);
-		EXPECT_NEAR(1000 * way, joint->getPlasticEnergy(), byPrecision(1e-6, 1e-3) * 1000 * way);
+		EXPECT_NEAR(1000 * way, joint->getState().m_plasticEnergy, byPrecision(1e-6, 1e-3) * 1000 * way);
+		// The body, at 200 / 12 m/s, is to give for the second half of the last step in the next one.
+		const double owed = 200. / 12 / 120;
+		EXPECT_NEAR(1000 * (way - owed), joint->getPlasticEnergy(), byPrecision(1e-6, 1e-3) * 1000 * way);
 	}
 }
 

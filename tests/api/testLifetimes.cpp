@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "BulletCollision/CollisionDispatch/btSimulationIslandManager.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepper.h"
 #include "LinearMath/btIDebugDraw.h"
@@ -430,6 +431,104 @@ TEST(Lifetimes, ABodyMayLeaveTheWorldForAWhile)
 			EXPECT_TRUE(isFinite(*body));
 		// In free fall the last body would have 1.6 m/s by now.
 		EXPECT_GT(scene.m_bodies[3]->getLinearVelocity().y(), -1);
+	}
+}
+
+/// Does something after the bodies have been moved, before the joints end their step.
+struct Within : btActionInterface
+{
+	std::function<void()> m_what;
+
+	void updateAction(btCollisionWorld*, btScalar) override
+	{
+		if (m_what)
+			m_what();
+		m_what = nullptr;
+	}
+	void debugDraw(btIDebugDraw*) override {}
+};
+
+struct WithinAStep : Parts
+{
+	Within m_within;
+
+	explicit WithinAStep(Solver solver) : Parts(solver)
+	{
+		m_world->removeAction(m_action.get());
+		m_world->addAction(&m_within);
+		m_world->addAction(m_action.get());
+		row(4, btScalar(1.5), strong());
+		step(10);
+	}
+
+	void doWithinAStep(std::function<void()> what)
+	{
+		m_within.m_what = what;
+		step(1);
+		EXPECT_FALSE(m_within.m_what);
+	}
+
+	/// What hung on the second body falls, and the first one holds.
+	void expectParted()
+	{
+		step(10);
+		EXPECT_EQ(6, m_joints[0]->getNumCommittedRows());
+		EXPECT_EQ(0, m_joints[1]->getNumCommittedRows());
+		EXPECT_EQ(0, m_joints[2]->getNumCommittedRows());
+		EXPECT_EQ(6, m_joints[3]->getNumCommittedRows());
+		EXPECT_LT(m_bodies[4]->getLinearVelocity().y(), -1);
+		for (const auto& body : m_bodies)
+		{
+			EXPECT_TRUE(!body || isFinite(*body));
+		}
+	}
+};
+
+TEST(Lifetimes, ABodyMayLeaveTheWorldWithinAStep)
+{
+	for (Solver solver : SOLVERS)
+	{
+		WithinAStep scene(solver);
+		scene.doWithinAStep([&] { scene.m_world->removeRigidBody(scene.m_bodies[2].get()); });
+		scene.expectParted();
+	}
+}
+
+TEST(Lifetimes, ABodyMayBeDeletedWithinAStep)
+{
+	for (Solver solver : SOLVERS)
+	{
+		WithinAStep scene(solver);
+		scene.doWithinAStep(
+			[&]
+			{
+				for (int i : {1, 2})
+					scene.m_world->removeConstraint(scene.m_joints[i].get());
+				scene.m_world->removeRigidBody(scene.m_bodies[2].get());
+				scene.m_bodies[2].reset();
+			});
+		scene.expectParted();
+		// They are out of the world already: Bullet would look for them in the deleted body once more.
+		scene.m_joints.erase(scene.m_joints.begin() + 1, scene.m_joints.begin() + 3);
+		scene.m_bodies.erase(scene.m_bodies.begin() + 2);
+	}
+}
+
+TEST(Lifetimes, WhatIsJoinedMayStandStillInOneIsland)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Parts scene(solver);
+		scene.m_world->getSimulationIslandManager()->setSplitIslands(false);
+		scene.row(3, btScalar(1.5), strong());
+		scene.step(3);
+		for (int i = 1; i < 3; ++i)
+			scene.m_bodies[i]->setMassProps(0, btVector3(0, 0, 0));
+		scene.step(3);
+		scene.m_bodies[3]->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+		scene.step(3);
+		for (const auto& body : scene.m_bodies)
+			EXPECT_TRUE(isFinite(*body));
 	}
 }
 

@@ -426,6 +426,51 @@ TEST(SectionShapes, BarsOfOneSideBearOneMoment)
 	expectClose(M_PI * 0.04 * 30e6 + 6 * 314.16e-6 * 500e6, column.m_yield[BT_EP_AXIAL], byPrecision(1e-9, 1e-5));
 }
 
+TEST(SectionShapes, ARoundReinforcedColumnBendsAsByIntegration)
+{
+	// 400 mm across, f_c = 30 MPa without tension, six bars of 314.16 mm^2 and 500 MPa on a circle of 320 mm. About a diameter the concrete above a
+	// line is a segment of the circle: r^2 (t - sin t cos t) with its first moment 2/3 (r sin t)^3.
+	const double r = 0.2, fc = 30e6, bar = 314.16e-6, fy = 500e6;
+	btElasticPlasticMaterial concrete;
+	concrete.m_youngsModulus = btScalar(33e9);
+	concrete.m_yieldStress = btScalar(fc);
+	concrete.m_tensileShare = 0;
+	const auto borne = [&](double line, double& axial, double& moment)
+	{
+		const double t = std::acos(line / r), s = std::sin(t);
+		axial = -fc * r * r * (t - s * std::cos(t));
+		moment = fc * 2. / 3 * std::pow(r * s, 3);
+		for (int i = 0; i < 6; ++i)
+		{
+			const double y = 0.16 * std::cos(i * M_PI / 3), force = (y > line ? -1 : y < line ? 1 : 0) * bar * fy;
+			axial += force;
+			moment -= force * y;
+		}
+	};
+	// Without an axial force the line is where the pressed concrete balances the bars, by halves. It may run through bars, which bear a part then.
+	double low = -r, high = r, axial = 0, moment = 0;
+	for (int i = 0; i < 100; ++i)
+	{
+		const double middle = (low + high) / 2;
+		borne(middle, axial, moment);
+		(axial < 0 ? low : high) = middle;
+	}
+	double beyond = 0, momentBeyond = 0;
+	borne(low, axial, moment);
+	borne(high, beyond, momentBeyond);
+	const double exact = moment + (momentBeyond - moment) * axial / (axial - beyond);
+	for (const int count : {0, 33})
+	{
+		Section round = Section::circle(btScalar(r)).withFibres(count);
+		for (int i = 0; i < 6; ++i)
+			round.addBar(btScalar(0.16 * std::cos(i * M_PI / 3)), btScalar(0.16 * std::sin(i * M_PI / 3)),
+						 btScalar(bar), btElasticPlasticMaterial::steel(btScalar(fy)));
+		const btElasticPlasticCapacity c = btElasticPlasticCapacity::fromMember(concrete, round, 1, 1);
+		ASSERT_FALSE(c.fault());
+		EXPECT_NEAR(exact, c.m_yield[BT_EP_BENDING_Z], (count == 0 ? 0.03 : 0.01) * exact) << count;
+	}
+}
+
 TEST(SectionShapes, TellWhatIsWrong)
 {
 	const Corners square = rectangle(1, 1);

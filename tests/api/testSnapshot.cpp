@@ -4,7 +4,6 @@
 // A world that is restored goes on with the same bits, and what is no snapshot of it is refused.
 
 #include <string.h>
-#include <time.h>
 
 #include <algorithm>
 #include <random>
@@ -376,34 +375,6 @@ struct Wall
 		row[0]->applyCentralImpulse(btVector3(3000, 0, 2000));
 	}
 };
-
-double threadTime()
-{
-	timespec now;
-	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-	return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
-
-TEST(Snapshot, TakesNoLongerThanSteps)
-{
-	Wall wall;
-	ASSERT_EQ(468u, wall.m_world.joints().size());
-	run(wall.m_world, 5);
-	double steps = 1e9, rollback = 1e9;
-	for (int i = 0; i < 5; ++i)
-	{
-		const Bytes snapshot = save(wall.m_world);
-		run(wall.m_world, 5);
-		double begin = threadTime();
-		run(wall.m_world, 3);
-		steps = std::min(steps, threadTime() - begin);
-		begin = threadTime();
-		EXPECT_FALSE(restore(wall.m_world, snapshot));
-		rollback = std::min(rollback, threadTime() - begin);
-		run(wall.m_world, 1);
-	}
-	EXPECT_LT(rollback, steps);
-}
 
 TEST(Snapshot, LargeStructuresGoOnWithTheSameBits)
 {

@@ -39,8 +39,6 @@ struct FreeStructure
 				m_world.box(btVector3(btScalar(uniform(.1, 1)), btScalar(uniform(.1, 1)), btScalar(uniform(.1, 1)))),
 				btTransform(turn(), btVector3(btScalar(i), btScalar(uniform(-.3, .3)), btScalar(uniform(-.3, .3)))),
 				false);
-			// Bullet's gyroscopic torque works on what joints have changed of the spin.
-			body->setFlags(0);
 			body->setLinearVelocity(vector(5));
 			body->setAngularVelocity(vector(5));
 		}
@@ -88,28 +86,23 @@ TEST(EnergyLedger, FreeStructuresGainNothing)
 				FreeStructure structure(solver, seed);
 				World& world = structure.m_world;
 				const double dt = structure.spread(1. / 1000, 1. / 30), first = world.kineticEnergy();
-				// A half of a step's flow is still to be given when the step ends, and is not if the joint flows no more.
-				std::vector<double> flowed(world.joints().size()), ahead(flowed);
 				for (int i = 0; i < 100; ++i)
 				{
 					const double step = changes ? dt * structure.spread(0.3, 1 / 0.3) : dt;
 					world.step(btScalar(step));
-					double work = 0, held = 0, owed = 0;
-					for (size_t j = 0; j < ahead.size(); ++j)
+					double work = 0, flowed = 0, stored = 0;
+					for (const btElasticPlasticJoint* joint : world.joints())
 					{
-						const btElasticPlasticJoint* joint = world.joints()[j];
-						ahead[j] = std::max(ahead[j], (joint->getPlasticEnergy() - flowed[j]) / 2);
-						flowed[j] = joint->getPlasticEnergy();
-						owed += ahead[j];
 						work += joint->getWork();
-						held += joint->getPlasticEnergy() + joint->getDampingEnergy() +
-								(joint->isBroken() ? 0 : joint->getElasticEnergy());
+						flowed += joint->getPlasticEnergy();
+						stored += joint->isBroken() ? 0 : joint->getElasticEnergy();
 					}
 					// Rounding of velocities and of impulses at yield.
 					const double rounding = byPrecision(1e-9, 1e-3) * first;
 					ASSERT_LE(world.kineticEnergy(), first + rounding) << i;
-					ASSERT_NEAR(first, world.kineticEnergy() + work, rounding) << i;
-					ASSERT_LE(held, work + owed + rounding) << i;
+					ASSERT_LE(world.kineticEnergy() + flowed + stored, first + rounding) << i;
+					ASSERT_LE(flowed, work + rounding) << i;
+					ASSERT_LE(flowed + stored, work + rounding) << i;
 				}
 			}
 }
@@ -217,5 +210,32 @@ TEST(EnergyLedger, ShortOfIterationsAPlateUnderBoxesIsSoft)
 	// Half a step's work of what flows or swings, see EnergyAudit.
 	EXPECT_LE(audit.createdByJoints(), EnergyAudit::SLACK);
 	EXPECT_LE(audit.created(), byPrecision(1e-12, 1e-4));
+}
+TEST(EnergyLedger, TakesNothingOfDampingFromFlow)
+{
+	// A cantilever whose material damps sinks in ten iterations, far below yield.
+	for (const Solver solver : UNFINISHED)
+	{
+		World world(solver);
+		world.bullet().getSolverInfo().m_numIterations = 10;
+		btElasticPlasticCapacity capacity = evenCapacity(1e7, 1e9);
+		capacity.m_damping = btScalar(.05);
+		btRigidBody* before = world.body(0, world.box(btVector3(1, 1, 1)), at(0));
+		for (int i = 1; i <= 6; ++i)
+		{
+			btRigidBody* const block = world.body(100, world.box(btVector3(1, 1, 1)), at(btScalar(i)), false);
+			world.joint(*before, *block, at(btScalar(i) - btScalar(.5)), capacity);
+			before = block;
+		}
+		for (int i = 0; i < 120; ++i)
+		{
+			run(world, 1);
+			for (const btElasticPlasticJoint* joint : world.joints())
+			{
+				EXPECT_EQ(joint->getPlasticEnergy(), 0) << "step " << i;
+				EXPECT_GE(joint->getDampingEnergy(), 0) << "step " << i;
+			}
+		}
+	}
 }
 }  // namespace

@@ -115,4 +115,29 @@ TEST(Kinematics, JacobianIsTheRateOfStrain)
 		}
 	}
 }
+TEST(Kinematics, AMemberBentIntoAnArcIsNotStretched)
+{
+	// Its bodies are the ends of an arc of length l and turn t. The chord is 2 l sin(t / 2) / t, that of two straight halves l cos(t / 2):
+	// what the bow leaves of the difference, l t^2 / 12, is -l t^4 / 480 and terms of t^6.
+	const double length = 2;
+	for (const double turn : {0.02, 0.1, -0.3})
+		for (const int axis : {1, 2})
+		{
+			btVector3 about(0, 0, 0);
+			about[axis] = 1;
+			const double half = turn / 2, chord = 2 * length * std::sin(half) / turn;
+			// Seen from the chord, which is along x.
+			const btTransform bodyA(btQuaternion(about, btScalar(-half)), btVector3(0, 0, 0)),
+				bodyB(btQuaternion(about, btScalar(half)), btVector3(btScalar(chord), 0, 0));
+			const btTransform frameA(NONE, btVector3(btScalar(length / 2), 0, 0)),
+				frameB(NONE, btVector3(btScalar(-length / 2), 0, 0));
+			btElasticPlastic::Kinematics k;
+			k.evaluate(bodyA, bodyB, frameA, frameB, btVector3(0, 0, 0), NONE, NONE);
+			EXPECT_NEAR(k.m_strain[3 + axis], turn, byPrecision(1e-14, 1e-6));
+			k.bow(btScalar(axis == 1 ? length : 0), btScalar(axis == 2 ? length : 0));
+			EXPECT_NEAR(k.m_strain[0], -length * std::pow(turn, 4) / 480,
+						1e-4 * length * std::pow(turn, 4) + byPrecision(1e-14, 1e-6))
+				<< turn << " about " << axis;
+		}
+}
 }  // namespace

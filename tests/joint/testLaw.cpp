@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <vector>
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/Law.h"
@@ -106,6 +108,14 @@ double growth(double squaredStep, decltype(Swing::m_row) kind)
 		largest = std::max(largest, k / m * swing.m_strain * swing.m_strain + swing.m_velocity * swing.m_velocity);
 	}
 	return largest;
+}
+
+TEST(Law, TheLargestStiffnessWithDampingIsANumber)
+{
+	const btScalar largest = std::numeric_limits<btScalar>::max();
+	btElasticPlastic::DofState s = {largest, 1, 0, 0, 0, {0, 0}};
+	s.m_stiffening = btScalar(0.1);
+	EXPECT_EQ(0, s.forceAt(0));
 }
 
 TEST(Law, IsStableAtAnyStep)
@@ -229,6 +239,26 @@ TEST(Law, HugeAndTinyStiffnessGiveNumbers)
 				EXPECT_LE(row.m_lower, row.m_upper);
 			}
 		}
+}
+
+/// Bullet's own solvers diverge where compliance comes near the diagonal A: a spring that the step nearly resolves gets A / 2, and its own
+/// force on what does not move.
+TEST(Law, StockRowsKeepTheirDistanceFromTheDiagonal)
+{
+	const double k = 1000, dt = 0.01, strain = 0.02;
+	const DofState s = {btScalar(k), btScalar(1e5), btScalar(strain), 0, 0, {0, 0}};
+	for (const double a : {1.25, 1.999, 2.001, 50.})
+	{
+		const double diagonal = a / (k * dt * dt);
+		const SoftRow row = btElasticPlastic::stockRow(s, btScalar(diagonal), btScalar(dt));
+		EXPECT_NEAR(row.m_compliance / diagonal, a < 2 ? 0.5 : 1 / a, 1e-6) << a;
+		EXPECT_NEAR(row.m_velocity / row.m_compliance, k * strain * dt, 1e-6) << a;
+		EXPECT_NEAR(row.m_upper, 1e5 * dt, 1e-3);
+	}
+	// One that it resolves has its force, and no compliance.
+	const SoftRow row = btElasticPlastic::stockRow(s, btScalar(0.99 / (k * dt * dt)), btScalar(dt));
+	EXPECT_EQ(row.m_compliance, 0);
+	EXPECT_NEAR(row.m_upper, k * strain * dt, 1e-6);
 }
 
 /// A joint that has held 30 at rest is strained: it bears no more than its yield value, as the mean over the step where the step does

@@ -27,6 +27,7 @@ struct Point
 btElasticPlasticMaterial hardeningSteel(const std::vector<Point>& points, double kinematicShare)
 {
 	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(YIELD));
+	steel.m_dampingRatio = 0;  // the curve is that of slow motion
 	steel.m_ultimatePlasticStrain = btScalar(10);
 	steel.m_kinematicShare = btScalar(kinematicShare);
 	for (const Point& point : points)

@@ -27,6 +27,7 @@ btElasticPlasticMaterial concrete(double strength = 1)
 	concrete.m_tensileShare = btScalar(TENSION / COMPRESSION);
 	concrete.m_crushingStrain = btScalar(0.1);
 	concrete.m_fractureEnergy = btScalar(ENERGY);
+	concrete.m_dampingRatio = 0;  // the branch is that of slow motion
 	return concrete;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticEnergyAudit.h"
 #include "support/DirectSolver.h"
 #include "runs/Figure11.h"
 #include "programs/OneScene.h"
@@ -122,9 +123,9 @@ TEST(Demolisher, AutopilotCrossesAndLeavesTheBridgeBent)
 	// The vehicle's weight and impulses in the direct form's islands.
 	EXPECT_EQ(statisticsOf(demolisher.world()).m_fallbacks, 0);
 	EXPECT_GT(statisticsOf(demolisher.world()).m_islands, 0);
-	// 0.361 m and 461 kJ with 32 substeps of 400 iterations.
-	EXPECT_NEAR(s.sag, .36, .03);
-	EXPECT_NEAR(s.plasticEnergy, 461e3, 46e3);
+	// 0.396 m and 523 kJ with 32 substeps of 400 iterations.
+	EXPECT_NEAR(s.sag, .396, .02);
+	EXPECT_NEAR(s.plasticEnergy, 523e3, 26e3);
 	// Bending moment times hinge rotation is all of it.
 	double work = 0;
 	for (const btElasticPlasticJoint* joint : demolisher.bridge()->joints())
@@ -132,15 +133,15 @@ TEST(Demolisher, AutopilotCrossesAndLeavesTheBridgeBent)
 	EXPECT_NEAR(work / s.plasticEnergy, 1, .02);
 }
 
-/// What joints take beyond elastic and plastic energy is small where the default steps can resolve what happens. With steps alone it was
-/// 7 % on the rod and 12 % in the house; on the bridge it was 20 % while wheels loaded it by impulses.
+/// What joints take beyond elastic and plastic energy is small where the default steps can resolve what happens. With steps alone it is
+/// 9 % on the rod; on the bridge it was 20 % while wheels loaded it by impulses.
 TEST(Demolisher, LittleEnergyIsNumerical)
 {
 	const struct
 	{
 		Scene scene;
 		double most;
-	} cases[] = {{Scene::Gate, .06}, {Scene::Bridge, .01}, {Scene::Rod, .06}, {Scene::House, .06}};
+	} cases[] = {{Scene::Gate, .06}, {Scene::Fence, .08}, {Scene::Bridge, .01}, {Scene::Rod, .06}, {Scene::House, .06}};
 	for (const auto& c : cases)
 	{
 		Demolisher demolisher(only(c.scene));
@@ -150,6 +151,51 @@ TEST(Demolisher, LittleEnergyIsNumerical)
 		EXPECT_GT(s.plasticEnergy, 1e4) << nameOf(scenes(), c.scene);
 		EXPECT_LT(std::fabs(s.numericalEnergy), c.most * (s.plasticEnergy + s.elasticEnergy))
 			<< nameOf(scenes(), c.scene) << ": " << s.numericalEnergy << " J";
+	}
+}
+
+/// What the vehicle pays for the fence does not depend on the step. While Bullet's damping braked the rails' blocks, whose share of 1 - 1e-9
+/// is 1 in float, each substep took all of the wreck's motion: at 64 substeps 0.9 m/s were left where a step alone left 15.
+TEST(Demolisher, TheFenceCostsTheSameInAllSteps)
+{
+	struct Cost
+	{
+		double m_speed, m_kinetic, m_plastic, m_rest;
+	};
+	const auto costOf = [](int substeps, btScalar innerError)
+	{
+		DemolisherSettings settings = only(Scene::Fence);
+		settings.speed = 26;
+		settings.substeps = substeps;
+		settings.innerError = innerError;
+		Demolisher demolisher(settings);
+		btDynamicsWorld& world = demolisher.world().bullet();
+		btElasticPlasticEnergyAudit audit(world, demolisher.world().action());
+		world.setInternalTickCallback([](btDynamicsWorld* w, btScalar)
+									  { static_cast<btElasticPlasticEnergyAudit*>(w->getWorldUserInfo())->begin(); },
+									  &audit, true);
+		while (demolisher.vehicle().pose().getOrigin().x() < 70 && demolisher.time() < 20)
+			demolisher.stepByAutopilot();
+		audit.begin();
+		const btElasticPlasticEnergyBalance b = audit.getBalance();
+		world.setInternalTickCallback(nullptr, nullptr, true);
+		EXPECT_LT(std::fabs(b.m_rest), 1e-3 * b.m_turnover) << substeps;
+		EXPECT_LT(std::fabs(b.m_numerical), .12 * b.m_plastic) << substeps;
+		return Cost{double(demolisher.vehicle().speed()), b.m_kinetic, b.m_plastic, b.m_rest};
+	};
+	const Cost exact = costOf(64, 0);
+	EXPECT_GT(exact.m_speed, 9);
+	const struct
+	{
+		int substeps;
+		btScalar innerError;
+	} cases[] = {{4, btScalar(.01)}, {1, btScalar(.01)}, {16, 0}};
+	for (const auto& c : cases)
+	{
+		const Cost cost = costOf(c.substeps, c.innerError);
+		EXPECT_NEAR(cost.m_speed, exact.m_speed, .05 * exact.m_speed) << c.substeps;
+		EXPECT_NEAR(cost.m_kinetic, exact.m_kinetic, .1 * exact.m_kinetic) << c.substeps;
+		EXPECT_NEAR(cost.m_plastic, exact.m_plastic, .1 * exact.m_plastic) << c.substeps;
 	}
 }
 
@@ -230,14 +276,14 @@ TEST(Demolisher, Figure11sThreeStates)
 	EXPECT_EQ(demolisher.summary().broken, 0);
 	for (Scene scene : {Scene::Gate, Scene::Fence, Scene::Bridge})
 		EXPECT_GT(count(scene, "yielded"), 0) << nameOf(scenes(), scene);
-	// Lightly: of their ductility a tenth is spent in the mean.
+	// Lightly: of their ductility a tenth is spent in the mean, 0.100 of the gate's joints and 0.044 of the fence's.
 	for (Scene scene : {Scene::Gate, Scene::Fence})
 	{
 		const auto& joints = demolisher.structure(scene)->joints();
 		double damage = 0;
 		for (const btElasticPlasticJoint* joint : joints)
 			damage += double(joint->getDamage());
-		EXPECT_LT(damage / double(joints.size()), .1) << nameOf(scenes(), scene);
+		EXPECT_LT(damage / double(joints.size()), .11) << nameOf(scenes(), scene);
 	}
 	EXPECT_GT(demolisher.summary().sag, 2 * double(demolisher.bridge()->beamSag(10)));
 	EXPECT_LT(demolisher.summary().sag, 1);

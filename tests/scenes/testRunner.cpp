@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cases/CaseRunner.h"
 #include "run/CaseTable.h"
@@ -69,6 +71,44 @@ TEST(EpRun, WritesTablesAndASummary)
 	EXPECT_EQ(linesOf(out + "/energy.csv"), 102u);
 	EXPECT_EQ(textOf(out + "/probes.csv").substr(0, 11), "time_s,y,v\n");
 	EXPECT_EQ(linesOf(out + "/events.csv"), 1u);
+}
+
+TEST(EpRun, WritesWhatProbedSectionsBear)
+{
+	// 0.2 x 0.1 m, 100 MPa: N_p = 2 MN; 36 fibres about z in pure bending W_pl f_y = 1e-3 x 100e6 = 100 kN m, about y the half.
+	const TemporaryFolder folder;
+	const std::string out = folder.path() + "/out",
+					  scene = folder.write("rod.json", R"({"version": 1, "world": {"gravity": [0, 0, 0], "step": 0.01},
+		"bodies": [{"name": "box", "box": [1, 1, 1]}],
+		"joints": [{"name": "rod", "from": "world", "to": "box", "at": [0, 0, 0], "along": [1, 0, 0], "up": [0, 1, 0], "lengths": [1, 1],
+			"material": {"yield_stress": 100e6}, "section": {"rectangle": [0.1, 0.2], "fibres": 36}}, {"name": "other", "from": "world", "to": "box",
+			"at": [0, 0, 0], "along": [1, 0, 0], "lengths": [1, 1], "material": {}, "section": {"rectangle": [0.1, 0.2], "fibres": 36}}],
+		"probes": [{"name": "N", "of": "rod", "measure": "force", "dof": "axial"}], "end": {"time": 0.1}})");
+	const Ran ran = epRun(scene + " --out " + out);
+	ASSERT_EQ(ran.status, 0) << ran.text;
+	std::ifstream file(out + "/strength.csv");
+	std::string line;
+	ASSERT_TRUE(std::getline(file, line));
+	EXPECT_EQ(line, "joint,moment,when,axial_N,moment_Nm");
+	size_t count = 0;
+	double most = 0, moment[2] = {};
+	while (std::getline(file, line))
+	{
+		std::istringstream stream(line);
+		std::string cells[5];
+		for (std::string& cell : cells)
+			std::getline(stream, cell, ',');
+		EXPECT_EQ(cells[0], "rod");
+		++count;
+		most = std::max(most, std::fabs(std::stod(cells[3])));
+		double& own = moment[cells[1] == "bending_z"];
+		own = std::max(own, std::fabs(std::stod(cells[4])));
+	}
+	// Two moments, at the start and at the end, each with the corners of a line that closes.
+	EXPECT_EQ(count, size_t(4 * (2 * 36 + 1)));
+	EXPECT_NEAR(most, 2e6, 2e6 * 1e-5);
+	EXPECT_NEAR(moment[1], 100e3, 100e3 * 1e-3);
+	EXPECT_NEAR(moment[0], 50e3, 50e3 * 1e-3);
 }
 
 TEST(EpRun, TellsByItsStatus)

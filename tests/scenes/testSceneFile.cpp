@@ -173,6 +173,22 @@ TEST(SceneErrors, OfFibresAndFires)
 				{"sections.s.holes are for a polygon"});
 	expectParts(complaintOf(R"("sections": {"s": {"circle": 1, "bars": [{"at": [0, 0], "area": 1, "material": {}}]}})"),
 				{"it must have the key fibres"});
+	expectParts(complaintOf(R"("sections": {"s": {"bolts": {"at": [0, 0, 1], "area": 1e-4}}})"),
+				{"sections.s.bolts.at has an odd number of numbers"});
+	expectParts(complaintOf(R"("sections": {"s": {"bolts": {"at": [0, 0]}}})"), {"sections.s.bolts", "area"});
+	expectParts(complaintOf(R"("sections": {"s": {"welds": {"lines": [0, 0, 0, 0.1, 1], "throat": 1e-3}}})"),
+				{"sections.s.welds.lines has a number of numbers that is no multiple of 4"});
+	expectParts(complaintOf(R"("sections": {"s": {"welds": {"lines": [0, 0, 0, 0.1], "throat": 0.2}}})"),
+				{"sections.s is not possible", "length of a weld"});
+	expectParts(complaintOf(R"("sections": {"s": {"circle": 1, "parts": [
+					{"at": [0, 0], "section": {"circle": 1, "fibres": 0}, "material": {}}]}})"),
+				{"it must have the key fibres"});
+	expectParts(complaintOf(R"("sections": {"s": {"circle": 1, "fibres": 0, "parts": [
+					{"at": [0, 0], "section": {"circle": 1}, "material": {}}]}})"),
+				{"sections.s", "is not possible", "number of fibres"});
+	expectParts(complaintOf(R"("sections": {"s": {"circle": 1, "fibres": 0, "parts": [
+					{"at": [0, 0], "section": "s", "material": {}}]}})"),
+				{"sections.s.parts.0.section", "s"});
 	expectParts(complaintOf(R"("materials": {"m": {"hardening": [0.1, 3e8, 0.2]}})"),
 				{"materials.m.hardening has an odd number of numbers; each strain has a stress"});
 	expectParts(complaintOf(R"("materials": {"m": {"hardening": [0.1, 3e8, 0.1, 4e8]}})"),

@@ -10,7 +10,7 @@ btElasticPlasticMaterial Materials::mixed(btScalar steelShare) const
 	btElasticPlasticMaterial m = btElasticPlasticMaterial::reinforcedConcrete(steelShare, yieldStress);
 	m.m_density = concreteDensity * (1 - steelShare) + steelDensity * steelShare;
 	m.m_ultimatePlasticStrain = ductility;
-	m.m_dampingRatio = 0;  // as in the paper
+	m.m_dampingRatio = dampingRatio;
 	return m;
 }
 
@@ -46,10 +46,7 @@ Beam::Beam(World& world, const std::string& name, const BeamSettings& settings, 
 	: Member(world, memberOf(name, settings), start, settings.length), m_settings(settings)
 {
 	for (btRigidBody* block : m_parts)
-	{
 		block->setFriction(settings.friction);
-		block->setDamping(damping(), damping());
-	}
 }
 
 btVector3 Beam::startPoint() const { return first().getCenterOfMassTransform() * btVector3(-m_partLength / 2, 0, 0); }
@@ -68,14 +65,5 @@ btScalar Beam::shearStiffness() const
 {
 	const btElasticPlasticMaterial& m = m_settings.material;
 	return m.shearModulus() * m.m_loadBearingShare * m_settings.section.m_shearArea[0];
-}
-
-/// Bullet's damping takes the share d of the velocity in a second, v' = ln(1 - d) v: 2 zeta omega = -ln(1 - d).
-btScalar Beam::damping() const
-{
-	const BeamSettings& s = m_settings;
-	const btScalar massPerLength = blockMass() / m_partLength;
-	const btScalar omega = s.mode / (s.length * s.length) * btSqrt(bendingStiffness() / massPerLength);
-	return 1 - btExp(-2 * s.dampingRatio * omega);
 }
 }  // namespace ep

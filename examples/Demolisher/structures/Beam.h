@@ -15,13 +15,11 @@ struct Materials
 	btScalar steelDensity = 7800;            ///< [kg/m^3]
 	btScalar yieldStress = btScalar(200e6);  ///< of the steel [Pa]
 	btScalar ductility = btScalar(.2);       ///< plastic strain at which steel tears
+	btScalar dampingRatio = btScalar(.02);   ///< of every mode, by the joints: nothing brakes a wreck that moves
 
 	/// A share of steel spread evenly over the section, the rest concrete; 1 is steel alone.
 	btElasticPlasticMaterial mixed(btScalar steelShare) const;
 };
-
-/// First bending mode of a beam by itself, (beta L)^2 (Euler and Bernoulli).
-constexpr btScalar MODE_OF_CANTILEVER = btScalar(3.516), MODE_CLAMPED_AT_BOTH_ENDS = btScalar(22.37);
 
 /// What a beam is made of. SI units; x runs along the beam, y along its height, z along its width.
 struct BeamSettings
@@ -31,15 +29,13 @@ struct BeamSettings
 	btScalar height = btScalar(.1), width = btScalar(.1);  ///< of the blocks
 	btElasticPlasticSection section;                       ///< that carries the load
 	btElasticPlasticMaterial material;
-	btScalar hingeLength = 0;               ///< over which plastic bending spreads, 0: from joint to joint
-	btScalar endHingeLength = 0;            ///< the same at a support, 0: as hingeLength
-	btScalar mode = MODE_OF_CANTILEVER;     ///< that is damped
-	btScalar dampingRatio = btScalar(.02);  ///< of that mode
+	btScalar hingeLength = 0;     ///< over which plastic bending spreads, 0: from joint to joint
+	btScalar endHingeLength = 0;  ///< the same at a support, 0: as hingeLength
 	btScalar friction = btScalar(.8);
 	bool isRound = false;  ///< for those who draw it
 };
 
-/// A member as it is built: damped, rubbing, with joints that stand for the steel between the blocks' centres and may tear.
+/// A member as it is built: rubbing, with joints that stand for the steel between the blocks' centres and may tear.
 class Beam : public Member
 {
 public:
@@ -58,8 +54,6 @@ public:
 	btScalar shearStiffness() const;
 
 private:
-	btScalar damping() const;
-
 	BeamSettings m_settings;
 };
 }  // namespace ep

@@ -27,8 +27,6 @@ Bridge::Bridge(World& world, const Materials& materials, const BridgeSettings& s
 	deck.hingeLength = s.hingeLength;
 	// A support does not bend: there it spreads to one side only.
 	deck.endHingeLength = s.hingeLength / 2;
-	deck.mode = MODE_CLAMPED_AT_BOTH_ENDS;
-	deck.dampingRatio = s.dampingRatio;
 	deck.friction = FRICTION;
 	m_beams.emplace_back(world, "deck", deck, fromOrigin(-s.span / 2, s.height - s.thickness / 2));
 	m_beams.front().joinStart(world, *left);

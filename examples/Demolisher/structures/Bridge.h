@@ -22,9 +22,8 @@ struct BridgeSettings
 
 	bool slidingEnd = true;  ///< the right end is free to slide lengthwise
 
-	btScalar steelShare = btScalar(.027);   ///< of the section; spread over it evenly, it carries all load
-	btScalar hingeLength = btScalar(.8);    ///< over which plastic bending spreads, the deck's thickness [m]
-	btScalar dampingRatio = btScalar(.02);  ///< of the deck's first bending mode
+	btScalar steelShare = btScalar(.027);  ///< of the section; spread over it evenly, it carries all load
+	btScalar hingeLength = btScalar(.8);   ///< over which plastic bending spreads, the deck's thickness [m]
 };
 
 /// Rigid ramps and supports at both ends, and between them a deck of concrete blocks. The blocks are joined to each other

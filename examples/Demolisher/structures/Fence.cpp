@@ -41,7 +41,6 @@ void Fence::addRails(World& world, const Materials& materials, const FenceSettin
 	rail.section = btElasticPlasticSection::rectangle(s.railThickness, s.railThickness);
 	rail.material = materials.mixed(1);
 	rail.hingeLength = s.railHinge;
-	rail.mode = MODE_CLAMPED_AT_BOTH_ENDS;
 	const btMatrix3x3 turn(0, 1, 0, 0, 0, 1, 1, 0, 0);  // along z
 	for (int i = 0; i < s.rails; ++i)
 	{

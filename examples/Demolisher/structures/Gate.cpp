@@ -14,7 +14,6 @@ Gate::Gate(World& world, const Materials& materials, const GateSettings& s, cons
 	boom.section = btElasticPlasticSection::rectangle(s.thickness, s.thickness);
 	boom.material = materials.mixed(1);
 	boom.hingeLength = s.hingeLength;
-	boom.mode = s.twoSupports ? MODE_CLAMPED_AT_BOTH_ENDS : MODE_OF_CANTILEVER;
 	boom.friction = btScalar(.3);
 	// Along z; its y axis is the vehicle's way, so that a hinge about its z axis lets it swing open.
 	const btMatrix3x3 turn(0, 1, 0, 0, 0, 1, 1, 0, 0);

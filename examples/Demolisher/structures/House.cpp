@@ -64,7 +64,6 @@ void House::addBeams(const Build& build, int from, int to, const btMatrix3x3& al
 	beam.section = btElasticPlasticSection::rectangle(s.columnThickness, s.beamHeight);
 	beam.material = build.material;
 	beam.hingeLength = s.hingeLength;
-	beam.mode = MODE_CLAMPED_AT_BOTH_ENDS;
 	for (int storey = 0; storey < s.storeys; ++storey)
 	{
 		const int block = (storey + 1) * s.storeyBlocks - 1;  // the uppermost of the storey

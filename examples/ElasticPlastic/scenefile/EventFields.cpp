@@ -3,6 +3,8 @@
 
 #include "scenefile/SceneBuilder.h"
 
+#include <cmath>
+
 namespace ep
 {
 using Measure = SceneDescription::Measure;
@@ -63,8 +65,6 @@ void courseFields(Fields& f, SceneDescription::Course& course)
 	f.number("frequency", course.frequency, {0, 1e4}, "Hz", "of a sine by which it is multiplied; 0: none");
 	f.number("phase", course.phase, {-1e4, 1e4}, "degrees", "of this sine");
 }
-
-bool isOfJoint(Measure measure) { return measure >= Measure::Force && measure <= Measure::Broken; }
 }  // namespace
 
 void loadFields(Fields& f, SceneBuilder& builder)
@@ -86,12 +86,30 @@ void loadFields(Fields& f, SceneBuilder& builder)
 
 void fireFields(Fields& f, SceneBuilder& builder)
 {
+	typedef btElasticPlasticHeat Heat;
+	static const std::vector<Named<SceneDescription::HeatLaw>> laws = {
+		{"steel", &Heat::steel},
+		{"hot-rolled-bars", [](btScalar t) { return Heat::reinforcement(t); }},
+		{"cold-worked-bars", [](btScalar t) { return Heat::reinforcement(t, true); }},
+		{"siliceous-concrete", [](btScalar t) { return Heat::concrete(t); }},
+		{"calcareous-concrete", [](btScalar t) { return Heat::concrete(t, true); }},
+		{"timber", &Heat::timber},
+		{"6061-T6", &Heat::aluminium6061},
+		{"6082-T6", &Heat::aluminium6082}};
 	SceneDescription::Fire fire;
+	fire.law = laws[0].value;
 	std::string on;
+	std::vector<double> parts;
 	f.text("on", on, "name of a joint, or a pattern with * for several", Need::Required);
 	tableField(f, fire.temperature,
-			   "time [s], temperature of the steel [degrees Celsius], time, ...: straight between them", "temperature",
-			   Need::Required);
+			   "time [s], temperature of the material [degrees Celsius], time, ...: straight between them",
+			   "temperature", Need::Required);
+	f.named("law", fire.law, laws, "what heat leaves of the material's strength and stiffness");
+	f.numbers("parts", parts, 1, 100, {0, 1000}, "",
+			  "of sections with fibres that get hot: 0 the section itself, i its i-th bar or part; all where this is "
+			  "missing");
+	for (const double part : parts)
+		fire.parts.push_back(int(std::lround(part)));
 	if (!on.empty())
 		fire.joints = builder.joints(f, "on", on);
 	builder.scene().fires.push_back(fire);
@@ -142,7 +160,7 @@ void probeFields(Fields& f, SceneBuilder& builder)
 			   hasDof = f.choice("dof", dof, DOFS, "of what a joint tells, in its own frame"),
 			   hasWith = f.text("with", with, "bodies on the other side of a contact; else all");
 	f.named("gather", probe.gather, gathers(), "what is made of several");
-	const bool isJoint = isOfJoint(probe.measure);
+	const bool isJoint = SceneDescription::isOfJoint(probe.measure);
 	if (!isTold)
 		f.refuse("", "must have the key measure");
 	if (hasAxis && isJoint)

@@ -124,7 +124,11 @@ bool FieldSchema::reference(const char* key, const char* type, const std::vector
 							Need need)
 {
 	if (!m_types.contains(type))
+	{
+		// An object may have others of its type.
+		m_types[type] = Json::object();
 		m_types[type] = schemaOf(read);
+	}
 	return add(key, {{"anyOf", {{{"type", "string"}}, {{"$ref", std::string("#/$defs/") + type}}}}}, help, need);
 }
 

@@ -3,6 +3,8 @@
 
 #include "scenefile/SceneBuilder.h"
 
+#include <math.h>
+
 #include <algorithm>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
@@ -83,6 +85,22 @@ int addOutline(Fields& f, const char* key, const char* help, Need need,
 	return int(v.size() / 2);
 }
 
+/// The rectangle around what is given by its corners.
+template <class Points>
+void takeSize(const Points& points, SceneDescription::Section& s)
+{
+	double low[2] = {double(points[0].m_y), double(points[0].m_z)}, high[2] = {low[0], low[1]};
+	for (const auto& point : points)
+		for (int k = 0; k < 2; ++k)
+		{
+			const double place = double(k == 0 ? point.m_y : point.m_z);
+			low[k] = std::min(low[k], place);
+			high[k] = std::max(high[k], place);
+		}
+	s.height = high[0] - low[0];
+	s.width = high[1] - low[1];
+}
+
 void polygonFields(Fields& f, SceneDescription::Section& s)
 {
 	std::vector<btElasticPlasticSectionPoint> corners;
@@ -102,16 +120,83 @@ void polygonFields(Fields& f, SceneDescription::Section& s)
 	if (f.hasFailed())
 		return;
 	s.section = btElasticPlasticSection::polygon(corners.data(), counts.data(), int(counts.size()));
-	double low[2] = {double(corners[0].m_y), double(corners[0].m_z)}, high[2] = {low[0], low[1]};
-	for (const auto& corner : corners)
-		for (int k = 0; k < 2; ++k)
-		{
-			const double place = double(k == 0 ? corner.m_y : corner.m_z);
-			low[k] = std::min(low[k], place);
-			high[k] = std::max(high[k], place);
-		}
-	s.height = high[0] - low[0];
-	s.width = high[1] - low[1];
+	takeSize(corners, s);
+}
+
+void boltFields(Fields& f, SceneDescription::Section& s)
+{
+	std::vector<double> at;
+	double area = 0;
+	if (!f.object("bolts", "a connection by bolts of one size",
+				  [&](Fields& in)
+				  {
+					  in.numbers("at", at, 2, 800, Range::place(), "m", "y, z, y, z ... of each", Need::Required);
+					  in.number("area", area, Range::above(0), "m^2", "of one in its thread", Need::Required);
+					  if (at.size() % 2 != 0)
+						  in.refuse("at", "has an odd number of numbers; each bolt has a y and a z");
+				  }) ||
+		f.hasFailed())
+		return;
+	std::vector<btElasticPlasticSectionPoint> places;
+	for (size_t i = 0; i + 1 < at.size(); i += 2)
+		places.push_back({btScalar(at[i]), btScalar(at[i + 1])});
+	s.section = btElasticPlasticSection::bolts(places.data(), int(places.size()), btScalar(area));
+	takeSize(places, s);
+	const double diameter = 2 * sqrt(area / M_PI);
+	s.height += diameter;
+	s.width += diameter;
+}
+
+void weldFields(Fields& f, SceneDescription::Section& s)
+{
+	std::vector<double> lines;
+	double throat = 0;
+	if (!f.object("welds", "a connection by welds of one throat",
+				  [&](Fields& in)
+				  {
+					  in.numbers("lines", lines, 4, 1600, Range::place(), "m",
+								 "y, z of one end and y, z of the other of each", Need::Required);
+					  in.number("throat", throat, Range::above(0), "m", "of each", Need::Required);
+					  if (lines.size() % 4 != 0)
+						  in.refuse("lines", "has a number of numbers that is no multiple of 4");
+				  }) ||
+		f.hasFailed())
+		return;
+	std::vector<btElasticPlasticSectionLine> welds;
+	std::vector<btElasticPlasticSectionPoint> ends;
+	for (size_t i = 0; i + 3 < lines.size(); i += 4)
+	{
+		welds.push_back(
+			{{btScalar(lines[i]), btScalar(lines[i + 1])}, {btScalar(lines[i + 2]), btScalar(lines[i + 3])}});
+		ends.push_back(welds.back().m_from);
+		ends.push_back(welds.back().m_to);
+	}
+	s.section = btElasticPlasticSection::welds(welds.data(), int(welds.size()), btScalar(throat));
+	takeSize(ends, s);
+	s.height += throat;
+	s.width += throat;
+}
+
+/// Sections of other materials that are held to this one.
+void partFields(Fields& f, SceneBuilder& builder, SceneDescription::Section& s, bool isCut)
+{
+	f.list("parts", 100,
+		   "sections of other materials that are held to one with fibres all along, as a slab to a girder",
+		   [&](Fields& in)
+		   {
+			   std::vector<double> at = {0, 0};
+			   SceneDescription::Section part;
+			   SceneDescription::Material material;
+			   in.numbers("at", at, 2, 2, Range::place(), "m", "y and z of its centroid from the section's",
+						  Need::Required);
+			   sectionField(in, "section", builder, part, Need::Required);
+			   materialField(in, "material", builder, material, Need::Required);
+			   if (!isCut)
+				   in.refuse("", "is in a section that is not cut: it must have the key fibres");
+			   else if (at.size() == 2 && !in.hasFailed())
+				   s.section.addPart(part.section, btScalar(at[0]), btScalar(at[1]), material.law);
+			   refuseFault(in, s.section.m_fault);
+		   });
 }
 
 void fibresOf(Fields& f, SceneBuilder& builder, SceneDescription::Section& s)
@@ -137,6 +222,7 @@ void fibresOf(Fields& f, SceneBuilder& builder, SceneDescription::Section& s)
 			   else if (at.size() == 2 && !in.hasFailed())
 				   s.section.addBar(btScalar(at[0]), btScalar(at[1]), btScalar(area), material.law);
 		   });
+	partFields(f, builder, s, fibres != uncut);
 }
 }  // namespace
 
@@ -197,7 +283,9 @@ void sectionFields(Fields& f, SceneBuilder& builder, SceneDescription::Section& 
 	if (is(f.numbers("angle", v, 3, 3, size, "m", "width, height and thickness"), 3))
 		rectangle(btElasticPlasticSection::angle(btScalar(v[0]), btScalar(v[1]), btScalar(v[2])));
 	polygonFields(f, s);
-	f.oneOf({"rectangle", "circle", "tube", "box", "i", "t", "channel", "angle", "polygon"});
+	boltFields(f, s);
+	weldFields(f, s);
+	f.oneOf({"rectangle", "circle", "tube", "box", "i", "t", "channel", "angle", "polygon", "bolts", "welds"});
 	fibresOf(f, builder, s);
 	refuseFault(f, s.section.m_fault);
 }

@@ -160,10 +160,15 @@ struct SceneDescription
 		Course course;
 	};
 
+	/// What heat leaves at a temperature.
+	typedef btElasticPlasticHeat (*HeatLaw)(btScalar temperature);
+
 	/// Joints of steel that get hot.
 	struct Fire
 	{
 		std::vector<int> joints;
+		HeatLaw law = nullptr;
+		std::vector<int> parts;  ///< of the joints' sections, see btElasticPlasticFibre::m_part; none: all
 		std::vector<std::pair<double, double>>
 			temperature;  ///< time [s] and degrees Celsius, straight between points, even before and after them
 	};
@@ -205,6 +210,7 @@ struct SceneDescription
 		Broken,
 		ContactForce
 	};
+	static bool isOfJoint(Measure measure) { return measure >= Measure::Force && measure <= Measure::Broken; }
 
 	enum class Gather
 	{

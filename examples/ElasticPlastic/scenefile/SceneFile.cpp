@@ -108,13 +108,19 @@ void sceneFields(Fields& f, SceneBuilder& b)
 	f.object("world", "how it is computed", [&](Fields& in) { worldFields(in, s.world); });
 	materialList(f, b);
 	f.named("sections", "by their names",
-			[&](const std::string& name, Fields& in) { sectionFields(in, b, b.m_sections[name]); });
+			[&](const std::string& name, Fields& in)
+			{
+				// Not one of itself.
+				SceneDescription::Section section;
+				sectionFields(in, b, section);
+				b.m_sections[name] = section;
+			});
 	f.list("bodies", 10000, "rigid bodies", [&](Fields& in) { bodyFields(in, b); });
 	f.list("vehicles", 100, "bodies on four wheels", [&](Fields& in) { vehicleFields(in, b); });
 	f.list("structures", 1000, "what is made of many bodies and joints", [&](Fields& in) { structureList(in, b); });
 	f.list("joints", 10000, "between bodies", [&](Fields& in) { jointFields(in, b); });
 	f.list("loads", 1000, "forces and moments over time", [&](Fields& in) { loadFields(in, b); });
-	f.list("fires", 1000, "heat of steel over time", [&](Fields& in) { fireFields(in, b); });
+	f.list("fires", 1000, "heat over time", [&](Fields& in) { fireFields(in, b); });
 	f.list("blasts", 100, "waves of pressure from a point",
 		   [&](Fields& in) { blastFields(in, s.blasts.emplace_back()); });
 	f.list("events", 1000, "what happens at a time", [&](Fields& in) { eventFields(in, b); });

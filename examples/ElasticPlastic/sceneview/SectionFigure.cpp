@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/SectionStrength.h"
 #include "text/Format.h"
 
 namespace ep
@@ -23,44 +24,11 @@ Colour fibreColour(const btElasticPlasticFibreReading& fibre)
 	return {left * mixed(.6f, full.r, used), left * mixed(.6f, full.g, used), left * mixed(.6f, full.b, used)};
 }
 
-/// What fibres bear of axial force and of one moment: a sum of segments, whose corners have the fibres on one side of a line pulled
-/// and the others pressed.
-/// \param isNow  without those that have gone, and without the tension of those that have cracked
 std::vector<std::pair<float, float>> outline(const btElasticPlasticJoint& joint, bool isAboutZ, bool isNow)
 {
-	struct Fibre
-	{
-		double lever, tension, compression;
-	};
-	std::vector<Fibre> fibres;
-	const btElasticPlasticCapacity& capacity = joint.getCapacity();
-	for (int i = 0; i < capacity.m_fibres.size(); ++i)
-	{
-		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
-		const btElasticPlasticFibreState& state = joint.getState().m_fibres[i];
-		if (isNow && state.isRuptured())
-			continue;
-		fibres.push_back({double(isAboutZ ? -fibre.m_y : fibre.m_z),
-						  isNow && state.m_isCracked ? 0 : double(fibre.m_tension), double(fibre.m_compression)});
-	}
-	std::sort(fibres.begin(), fibres.end(), [](const Fibre& a, const Fibre& b) { return a.lever > b.lever; });
-	double axial = 0, moment = 0;
-	for (const Fibre& fibre : fibres)
-	{
-		axial -= fibre.compression;
-		moment -= fibre.compression * fibre.lever;
-	}
-	std::vector<std::pair<float, float>> points = {{float(axial), float(moment)}};
-	const auto turn = [&](const Fibre& fibre, double way)
-	{
-		axial += way * (fibre.tension + fibre.compression);
-		moment += way * (fibre.tension + fibre.compression) * fibre.lever;
-		points.emplace_back(float(axial), float(moment));
-	};
-	for (const Fibre& fibre : fibres)
-		turn(fibre, 1);
-	for (const Fibre& fibre : fibres)
-		turn(fibre, -1);
+	std::vector<std::pair<float, float>> points;
+	for (const auto& point : sectionStrength(joint, isAboutZ, isNow))
+		points.emplace_back(float(point.first), float(point.second));
 	return points;
 }
 }  // namespace

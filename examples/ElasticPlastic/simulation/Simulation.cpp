@@ -39,6 +39,8 @@ const std::vector<Named<Ending>>& endings()
 
 namespace
 {
+const int UNKNOWN_HEAT = -1000;  ///< of a fire that has not begun [degrees]
+
 const double CALM = 0.5;  // what stands still for so long has come to rest [s]
 const btVector3 GROUND_SIZE(400, 2, 400);
 
@@ -452,11 +454,34 @@ void Simulation::applyLoads(const std::vector<SceneDescription::Load>& loads, do
 	}
 }
 
+/// A joint's capacity in all fires that it is in.
+btElasticPlasticCapacity Simulation::heatedCapacity(int index) const
+{
+	const btElasticPlasticCapacity& cold = m_scene.joints[size_t(index)].capacity;
+	int last = 0;
+	for (int i = 0; i < cold.m_fibres.size(); ++i)
+		last = std::max(last, cold.m_fibres[i].m_part);
+	std::vector<btElasticPlasticHeat> heats(size_t(last) + 1);
+	bool isEven = true;
+	for (size_t i = 0; i < m_degrees.size(); ++i)
+	{
+		const SceneDescription::Fire& fire = m_scene.fires[i];
+		if (m_degrees[i] == UNKNOWN_HEAT ||
+			std::find(fire.joints.begin(), fire.joints.end(), index) == fire.joints.end())
+			continue;
+		const btElasticPlasticHeat heat = fire.law(btScalar(m_degrees[i]));
+		isEven = fire.parts.empty();
+		for (size_t part = 0; part < heats.size(); ++part)
+			if (isEven || std::find(fire.parts.begin(), fire.parts.end(), int(part)) != fire.parts.end())
+				heats[part] = heat;
+	}
+	return isEven ? cold.heated(heats[0]) : cold.heated(heats.data(), int(heats.size()));
+}
+
 /// By whole degrees: each change of a capacity costs.
 void Simulation::heatJoints(double time)
 {
-	const int unknown = -1000;
-	m_degrees.resize(m_scene.fires.size(), unknown);
+	m_degrees.resize(m_scene.fires.size(), UNKNOWN_HEAT);
 	for (size_t i = 0; i < m_degrees.size(); ++i)
 	{
 		SceneDescription::Course course;
@@ -465,13 +490,12 @@ void Simulation::heatJoints(double time)
 		if (degrees == m_degrees[i])
 			continue;
 		m_degrees[i] = degrees;
-		const btElasticPlasticHeat heat = btElasticPlasticHeat::steel(btScalar(degrees));
 		double change = 0;
 		for (int index : m_scene.fires[i].joints)
 			if (joint(index) && !isCut(index) && !isBroken(index))
 			{
 				change -= joint(index)->getElasticEnergy();
-				joint(index)->setCapacity(m_scene.joints[size_t(index)].capacity.heated(heat));
+				joint(index)->setCapacity(heatedCapacity(index));
 				change += joint(index)->getElasticEnergy();
 			}
 		m_audit->takeChange(change);

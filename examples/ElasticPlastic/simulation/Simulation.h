@@ -214,6 +214,7 @@ private:
 	void applyLoads(const std::vector<SceneDescription::Load>& loads, double time);
 	void applyBlasts(double time, double dt);
 	void heatJoints(double time);
+	btElasticPlasticCapacity heatedCapacity(int index) const;
 	void setGravity();
 	void playScript();
 	void appear(int body);

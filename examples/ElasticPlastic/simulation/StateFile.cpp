@@ -11,7 +11,7 @@ namespace
 {
 using nlohmann::json;
 
-const int STATE_VERSION = 3;
+const int STATE_VERSION = 4;
 const char* const PRECISION = sizeof(btScalar) == sizeof(double) ? "double" : "float";
 
 /// What is read or written of a joint's state: one list for both directions.
@@ -32,6 +32,10 @@ void forEachNumber(State& s, Act act)
 	act(s.m_lastStep);
 	act(s.m_withheldStep);
 	act(s.m_work);
+	act(s.m_storedEnergy);
+	act(s.m_placeEnergy);
+	act(s.m_plasticOwed);
+	act(s.m_dampingOwed);
 	act(s.m_plasticEnergy);
 	act(s.m_dampingEnergy);
 	act(s.m_solvedExactly);

@@ -64,7 +64,8 @@ void writeFamilies(std::ostream& out, const Selection& records)
 		   "<th>Energy created, most</th></tr>\n";
 	for (const Named<Family>& family : families())
 	{
-		double coarse = HUGE_VAL, least = HUGE_VAL, created = 0;
+		double least = HUGE_VAL, created = 0;
+		const Record* coarse = nullptr;
 		bool has = false, audited = false;
 		for (const Record* r : records)
 		{
@@ -73,7 +74,7 @@ void writeFamilies(std::ostream& out, const Selection& records)
 			has = true;
 			least = std::min(least, r->error);
 			if (r->substeps == 1 && std::lround(1 / r->dt) == 60 && r->iterations == 10)
-				coarse = std::min(coarse, r->error);
+				coarse = coarse && coarse->error <= r->error ? coarse : r;
 			if (std::isfinite(r->energyAudit))
 			{
 				created = std::max(created, r->energyAudit);
@@ -86,8 +87,10 @@ void writeFamilies(std::ostream& out, const Selection& records)
 		char text[32] = "–";
 		if (std::isfinite(order))
 			snprintf(text, sizeof text, "%.1f", order);
-		out << "<tr><td>" << family.name << "</td><td>" << percent(coarse) << "</td><td>" << percent(least)
-			<< "</td><td>" << text << "</td><td>" << (audited ? percent(created) : "–") << "</td></tr>\n";
+		out << "<tr><td>" << family.name << "</td><td>"
+			<< (coarse ? percent(coarse->error) + " of " + escaped(coarse->quantity) : percent(HUGE_VAL)) << "</td><td>"
+			<< percent(least) << "</td><td>" << text << "</td><td>" << (audited ? percent(created) : "–")
+			<< "</td></tr>\n";
 	}
 	out << "</table>\n";
 }

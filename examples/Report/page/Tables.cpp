@@ -28,17 +28,22 @@ bool isStudyOfParts(Scheme scheme)
 
 bool isGamesStep(const Record& r) { return std::lround(1 / r.dt) == 60; }
 
-Grid::Cell cellOf(double error) { return {std::isnan(error) ? "" : percent(error), error}; }
+std::string quantityOf(const Record& r) { return "of " + r.quantity; }
 
-/// The error of the one record that stands for a family at 1/60 s; not a number if there is none.
-double errorAtGamesStep(const Selection& records, const Family& family)
+Grid::Cell cellOf(const Record* r)
+{
+	return r ? Grid::Cell{std::isnan(r->error) ? "" : percent(r->error), r->error, quantityOf(*r)} : Grid::Cell{""};
+}
+
+/// The one record that stands for a family at 1/60 s; null if there is none.
+const Record* findAtGamesStep(const Selection& records, const Family& family)
 {
 	for (const Record* r : records)
 		if (r->family() == family && r->substeps == 1 && isGamesStep(*r) && r->iterations == 10 &&
 			(r->isOutside() || (r->jointClass == JointClass::Spring2 && r->precision == Precision::Float)) &&
 			(r->budget == 0 || r->budget == 0.01))
-			return r->error;
-	return NAN;
+			return r;
+	return nullptr;
 }
 
 /// In double.
@@ -58,7 +63,7 @@ Grid overviewOf(const ByProblem& problems)
 	grid.what =
 		"In float; iterative solvers with 10 iterations; only the profile, for 1 %, takes substeps. Green keeps to 1 "
 		"%, dark "
-		"green to 0.1 %, yellow to 10 %.";
+		"green to 0.1 %, yellow to 10 %. Of which quantity it is, the worst of the problem's, is under the mouse.";
 	const std::vector<Named<Family>> compared = familiesOf(problems);
 	for (const Named<Family>& family : compared)
 		grid.columns.push_back(family.name);
@@ -66,7 +71,7 @@ Grid overviewOf(const ByProblem& problems)
 	{
 		grid.rows.push_back({name, {}});
 		for (const Named<Family>& family : compared)
-			grid.rows.back().cells.push_back(cellOf(errorAtGamesStep(problems.records.at(name), family.value)));
+			grid.rows.back().cells.push_back(cellOf(findAtGamesStep(problems.records.at(name), family.value)));
 	}
 	return grid;
 }
@@ -76,8 +81,8 @@ namespace
 /// What else there is to know of a record of the profile. \param luckiest  may be null
 std::string profileTip(const Record& mine, const Record* luckiest)
 {
-	std::string text =
-		format("%.1f substeps on average, %.3g ms a second", mine.steps * mine.dt / mine.simulated, 1e3 * mine.cost());
+	std::string text = quantityOf(mine) + format("; %.1f substeps on average, %.3g ms a second",
+												 mine.steps * mine.dt / mine.simulated, 1e3 * mine.cost());
 	if (luckiest)
 		text += format("; x %.2f the time of what happens to keep to it: %s in %d substeps",
 					   mine.cost() / luckiest->cost(), nameOf(luckiest->family()).c_str(), luckiest->substeps);

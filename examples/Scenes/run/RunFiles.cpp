@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "simulation/Probes.h"
+#include "simulation/SectionStrength.h"
 #include "text/Format.h"
 #include "text/OutputFiles.h"
 #include "world/JointReading.h"
@@ -164,6 +166,25 @@ std::string RunFiles::jointsCsv() const
 	return csv;
 }
 
+/// What sections of joints that are probed bear of N and M together, first as they were, then as they are.
+std::string RunFiles::strengthCsv() const
+{
+	const Simulation& s = m_simulation;
+	std::set<int> probed;
+	for (const SceneDescription::Probe& probe : s.scene().probes)
+		if (SceneDescription::isOfJoint(probe.measure))
+			probed.insert(probe.things.begin(), probe.things.end());
+	std::string csv;
+	for (const int index : probed)
+		for (const bool isAboutZ : {false, true})
+			for (const bool isNow : {false, true})
+				if (s.joint(index))
+					for (const auto& point : sectionStrength(*s.joint(index), isAboutZ, isNow))
+						csv += s.scene().joints[size_t(index)].name + (isAboutZ ? ",bending_z," : ",bending_y,") +
+							   (isNow ? "end," : "start,") + cell(point.first) + "," + cell(point.second) + "\n";
+	return csv;
+}
+
 void RunFiles::write(const std::string& folder) const
 {
 	makeDirectory(folder);
@@ -171,6 +192,9 @@ void RunFiles::write(const std::string& folder) const
 	writeFile(folder, "energy.csv", csv(firstEnergy(), m_columns.size()));
 	writeFile(folder, "events.csv", eventsCsv());
 	writeFile(folder, "joints.csv", jointsCsv());
+	const std::string strength = strengthCsv();
+	if (!strength.empty())
+		writeFile(folder, "strength.csv", "joint,moment,when,axial_N,moment_Nm\n" + strength);
 	// Last: a folder with a summary is whole.
 	writeFile(folder, "summary.json", summary().dump(2) + "\n");
 }

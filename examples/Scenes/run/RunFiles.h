@@ -41,6 +41,7 @@ private:
 	std::string csv(size_t begin, size_t end) const;
 	std::string eventsCsv() const;
 	std::string jointsCsv() const;
+	std::string strengthCsv() const;
 
 	Simulation& m_simulation;
 	std::vector<Column> m_columns;

@@ -26,6 +26,12 @@ struct btep_world : btElasticPlasticListener
 		std::unique_ptr<btRigidBody> m_body;
 	};
 
+	struct Section
+	{
+		btElasticPlasticSection m_section;
+		btElasticPlasticMaterial m_material;
+	};
+
 	btDefaultCollisionConfiguration m_configuration;
 	btCollisionDispatcher m_dispatcher{&m_configuration};
 	btDbvtBroadphase m_broadphase;
@@ -34,6 +40,8 @@ struct btep_world : btElasticPlasticListener
 	btElasticPlasticAction m_action;
 	std::map<int, Body> m_bodies;
 	std::map<int, std::unique_ptr<Joint>> m_joints;
+	std::map<int, Section> m_sections;
+	std::map<int, btElasticPlasticCapacity> m_fibres;  ///< capacities with fibres
 	std::vector<btElasticPlasticEvent> m_events;
 	size_t m_numRead = 0;  ///< of the events
 	int m_lastHandle = 0;
@@ -60,6 +68,8 @@ struct btep_world : btElasticPlasticListener
 	void onYield(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
 	void onBreak(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
 	void onLevel(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
+	void onCrack(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
+	void onRupture(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
 	void onRefused(btElasticPlasticJoint&, const char* text) override { say(text); }
 	void onBadStep(btScalar, const char* text) override { say(text); }
 
@@ -85,6 +95,14 @@ struct btep_world : btElasticPlasticListener
 		if (place == m_joints.end())
 			snprintf(m_message, sizeof m_message, "%d is no joint of this world", joint);
 		return place == m_joints.end() ? nullptr : place->second.get();
+	}
+
+	Section* findSection(int section)
+	{
+		const auto place = m_sections.find(section);
+		if (place == m_sections.end())
+			snprintf(m_message, sizeof m_message, "%d is no section of this world", section);
+		return place == m_sections.end() ? nullptr : &place->second;
 	}
 
 	void destroyJoint(int joint)
@@ -149,6 +167,58 @@ btElasticPlasticCapacity capacityOf(const btep_capacity& from)
 	capacity.m_length = btScalar(from.m_length);
 	capacity.m_damping = btScalar(from.m_damping);
 	return capacity;
+}
+
+void write(const btElasticPlasticCapacity& from, btep_capacity& capacity)
+{
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		capacity.m_stiffness[i] = double(from.m_stiffness[i]);
+		capacity.m_yield[i] = double(from.m_yield[i]);
+		capacity.m_ductility[i] = double(from.m_ductility[i]);
+	}
+	for (int i = 0; i < 2; ++i)
+		capacity.m_coupling[i] = double(from.m_coupling[i]);
+	capacity.m_length = double(from.m_length);
+	capacity.m_damping = double(from.m_damping);
+	capacity.m_fibres = 0;
+}
+
+btElasticPlasticMaterial materialOf(const btep_material& from)
+{
+	btElasticPlasticMaterial material;
+	material.m_youngsModulus = btScalar(from.m_youngs_modulus);
+	material.m_poissonsRatio = btScalar(from.m_poissons_ratio);
+	material.m_yieldStress = btScalar(from.m_yield_stress);
+	material.m_ultimatePlasticStrain = btScalar(from.m_ultimate_plastic_strain);
+	material.m_dampingRatio = btScalar(from.m_damping_ratio);
+	material.m_tensileShare = btScalar(from.m_tensile_share);
+	material.m_crushingStrain = btScalar(from.m_crushing_strain);
+	return material;
+}
+
+int typeOf(btElasticPlasticEventType type)
+{
+	switch (type)
+	{
+		case BT_EP_EVENT_YIELD:
+			return BTEP_YIELD;
+		case BT_EP_EVENT_BREAK:
+			return BTEP_BREAK;
+		case BT_EP_EVENT_CRACK:
+			return BTEP_CRACK;
+		case BT_EP_EVENT_RUPTURE:
+			return BTEP_RUPTURE;
+		case BT_EP_EVENT_LEVEL:
+			break;
+	}
+	return BTEP_LEVEL;
+}
+
+int failBy(btep_world* world, const btElasticPlasticFault& fault)
+{
+	fault.print(world->m_message, sizeof world->m_message);
+	return BTEP_BAD_VALUE;
 }
 }  // namespace
 
@@ -308,30 +378,86 @@ int btep_capacity_of_member(btep_world* world, const btep_material* material, do
 		return world->fail(BTEP_BAD_POINTER, "material or result of a capacity is null");
 	if (material->m_size != sizeof *material || capacity->m_size != sizeof *capacity)
 		return world->fail(BTEP_BAD_VERSION, "m_size of a material or a capacity is not that of a known version");
-	btElasticPlasticMaterial m;
-	m.m_youngsModulus = btScalar(material->m_youngs_modulus);
-	m.m_poissonsRatio = btScalar(material->m_poissons_ratio);
-	m.m_yieldStress = btScalar(material->m_yield_stress);
-	m.m_ultimatePlasticStrain = btScalar(material->m_ultimate_plastic_strain);
-	m.m_dampingRatio = btScalar(material->m_damping_ratio);
-	const btElasticPlasticCapacity made =
-		btElasticPlasticCapacity::fromMember(m, btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)),
-											 btScalar(length_a), btScalar(length_b));
+	const btElasticPlasticCapacity made = btElasticPlasticCapacity::fromMember(
+		materialOf(*material), btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)),
+		btScalar(length_a), btScalar(length_b));
 	if (const btElasticPlasticFault fault = made.fault())
-	{
-		fault.print(world->m_message, sizeof world->m_message);
-		return BTEP_BAD_VALUE;
-	}
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-	{
-		capacity->m_stiffness[i] = double(made.m_stiffness[i]);
-		capacity->m_yield[i] = double(made.m_yield[i]);
-		capacity->m_ductility[i] = double(made.m_ductility[i]);
-	}
-	for (int i = 0; i < 2; ++i)
-		capacity->m_coupling[i] = double(made.m_coupling[i]);
-	capacity->m_length = double(made.m_length);
-	capacity->m_damping = double(made.m_damping);
+		return failBy(world, fault);
+	write(made, *capacity);
+	return BTEP_OK;
+}
+
+int btep_section_create(btep_world* world, const btep_material* material, double width, double height, int num_fibres,
+						int* section)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!material || !section)
+		return world->fail(BTEP_BAD_POINTER, "material or result of a section is null");
+	if (material->m_size != sizeof *material)
+		return world->fail(BTEP_BAD_VERSION, "m_size of a material is not that of a known version");
+	const btep_world::Section made = {
+		btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)).withFibres(num_fibres),
+		materialOf(*material)};
+	if (const btElasticPlasticFault fault = made.m_section.m_fault)
+		return failBy(world, fault);
+	if (const btElasticPlasticFault fault = made.m_material.fault())
+		return failBy(world, fault);
+	*section = ++world->m_lastHandle;
+	world->m_sections[*section] = made;
+	return BTEP_OK;
+}
+
+int btep_section_add_bar(btep_world* world, int section, double y, double z, double area, const btep_material* material)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!material)
+		return world->fail(BTEP_BAD_POINTER, "material of a bar is null");
+	if (material->m_size != sizeof *material)
+		return world->fail(BTEP_BAD_VERSION, "m_size of a material is not that of a known version");
+	btep_world::Section* const found = world->findSection(section);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	if (const btElasticPlasticFault fault = materialOf(*material).fault())
+		return failBy(world, fault);
+	btElasticPlasticSection more = found->m_section;
+	more.addBar(btScalar(y), btScalar(z), btScalar(area), materialOf(*material));
+	if (const btElasticPlasticFault fault = more.m_fault)
+		return failBy(world, fault);
+	found->m_section = more;
+	return BTEP_OK;
+}
+
+int btep_capacity_of_section(btep_world* world, int section, double length_a, double length_b, double gauge_length,
+							 btep_capacity* capacity)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!capacity)
+		return world->fail(BTEP_BAD_POINTER, "result of a capacity is null");
+	if (capacity->m_size != sizeof *capacity)
+		return world->fail(BTEP_BAD_VERSION, "m_size of a capacity is not that of a known version");
+	const btep_world::Section* const found = world->findSection(section);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	const btElasticPlasticCapacity made = btElasticPlasticCapacity::fromMember(
+		found->m_material, found->m_section, btScalar(length_a), btScalar(length_b), btScalar(gauge_length));
+	if (const btElasticPlasticFault fault = made.fault())
+		return failBy(world, fault);
+	write(made, *capacity);
+	capacity->m_fibres = ++world->m_lastHandle;
+	world->m_fibres[capacity->m_fibres] = made;
+	return BTEP_OK;
+}
+
+int btep_section_destroy(btep_world* world, int section)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!world->findSection(section))
+		return BTEP_BAD_HANDLE;
+	world->m_sections.erase(section);
 	return BTEP_OK;
 }
 
@@ -344,6 +470,10 @@ int btep_joint_create(btep_world* world, int body_a, int body_b, const double po
 		return world->fail(BTEP_BAD_POINTER, "pose, capacity or result of a joint is null");
 	if (capacity->m_size != sizeof *capacity)
 		return world->fail(BTEP_BAD_VERSION, "m_size of a capacity is not that of a known version");
+	const auto fibres = world->m_fibres.find(capacity->m_fibres);
+	if (capacity->m_fibres != 0 && fibres == world->m_fibres.end())
+		return world->fail(BTEP_BAD_HANDLE,
+						   "m_fibres of a capacity is no number that btep_capacity_of_section() has given");
 	btRigidBody *const a = world->find(body_a), *const b = a ? world->find(body_b) : nullptr;
 	if (!a || !b)
 		return BTEP_BAD_HANDLE;
@@ -358,7 +488,13 @@ int btep_joint_create(btep_world* world, int body_a, int body_b, const double po
 		if (capacity->m_yield[i] == 0)
 			made->setLimit(i, 1, -1);
 	// The action tells what is wrong, and the joint has never been in the world then.
-	made->setCapacity(capacityOf(*capacity));
+	btElasticPlasticCapacity taken = capacityOf(*capacity);
+	if (capacity->m_fibres != 0)
+	{
+		taken.m_fibres = fibres->second.m_fibres;
+		taken.m_curvePoints = fibres->second.m_curvePoints;
+	}
+	made->setCapacity(taken);
 	if (!world->m_action.addJoint(made.get()))
 		return BTEP_BAD_VALUE;
 	world->m_world.addConstraint(made.get(), true);
@@ -408,6 +544,44 @@ int btep_joint_get_state(btep_world* world, int joint, btep_joint_state* state)
 	return BTEP_OK;
 }
 
+int btep_joint_get_num_fibres(btep_world* world, int joint, int* count)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!count)
+		return world->fail(BTEP_BAD_POINTER, "result of a number of fibres is null");
+	const btep_world::Joint* const found = world->findJoint(joint);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	*count = found->getCapacity().m_fibres.size();
+	return BTEP_OK;
+}
+
+int btep_joint_get_fibre(btep_world* world, int joint, int fibre, btep_fibre* reading)
+{
+	if (!world)
+		return BTEP_BAD_POINTER;
+	if (!reading)
+		return world->fail(BTEP_BAD_POINTER, "result of a fibre is null");
+	if (reading->m_size != sizeof *reading)
+		return world->fail(BTEP_BAD_VERSION, "m_size of a fibre is not that of a known version");
+	const btep_world::Joint* const found = world->findJoint(joint);
+	if (!found)
+		return BTEP_BAD_HANDLE;
+	const btElasticPlasticCapacity& capacity = found->getCapacity();
+	if (fibre < 0 || fibre >= capacity.m_fibres.size())
+		return world->fail(BTEP_BAD_VALUE, "number of a fibre: it must be 0 and less than that of the joint's fibres");
+	const btElasticPlasticFibreReading from = found->getFibre(fibre);
+	reading->m_force = double(from.m_force);
+	reading->m_elongation = double(from.m_elongation);
+	reading->m_plastic = double(from.m_plastic);
+	reading->m_utilisation = double(from.m_utilisation);
+	reading->m_damage = double(from.m_damage);
+	reading->m_is_cracked = from.m_isCracked;
+	reading->m_part = capacity.m_fibres[fibre].m_part;
+	return BTEP_OK;
+}
+
 int btep_joint_set_level(btep_world* world, int joint, double utilisation)
 {
 	if (!world)
@@ -435,9 +609,7 @@ int btep_event_next(btep_world* world, btep_event* event)
 		return BTEP_NO_EVENT;
 	}
 	const btElasticPlasticEvent& from = world->m_events[world->m_numRead++];
-	event->m_type = from.m_type == BT_EP_EVENT_YIELD   ? BTEP_YIELD
-					: from.m_type == BT_EP_EVENT_BREAK ? BTEP_BREAK
-													   : BTEP_LEVEL;
+	event->m_type = typeOf(from.m_type);
 	event->m_joint = from.m_joint->getConstraint().getUserConstraintId();
 	event->m_dof = from.m_dof;
 	event->m_time = from.m_time;
@@ -445,5 +617,7 @@ int btep_event_next(btep_world* world, btep_event* event)
 	write(from.m_position, event->m_position);
 	write(from.m_impulse, event->m_impulse);
 	write(from.m_velocity, event->m_velocity);
+	event->m_fibre = from.m_fibre;
+	event->m_part = from.m_part;
 	return BTEP_OK;
 }

@@ -22,7 +22,7 @@ extern "C"
 #endif
 
 /* Of this header. A library serves all programs that were compiled with its own version or a lower one. */
-#define BTEP_VERSION 2
+#define BTEP_VERSION 3
 
 	typedef struct btep_world btep_world;
 
@@ -47,7 +47,10 @@ extern "C"
 	{
 		BTEP_YIELD = 0, /* it flowed for the first time */
 		BTEP_BREAK = 1, /* its ductility is spent; it holds nothing any more */
-		BTEP_LEVEL = 2  /* its utilisation has risen to the level of btep_joint_set_level() */
+		BTEP_LEVEL = 2, /* its utilisation has risen to the level of btep_joint_set_level() */
+		BTEP_CRACK =
+			3, /* a fibre that is weaker in tension than in compression has torn: it bears again where it closes */
+		BTEP_RUPTURE = 4 /* a fibre has torn or was crushed: it bears nothing any more */
 	};
 
 	struct btep_body_description
@@ -71,6 +74,7 @@ extern "C"
 		double m_coupling[2];  /* of shear and bending, as btep_capacity_of_member() finds it; 0 by hand */
 		double m_length;       /* of the member [m]; 0 by hand */
 		double m_damping;      /* damping ratio of the material, 0 (none) to 0.1 */
+		int m_fibres; /* number of the fibres of btep_capacity_of_section(); 0: forces and moments yield each by itself */
 	};
 
 	struct btep_material
@@ -81,6 +85,10 @@ extern "C"
 		double m_yield_stress;            /* [Pa], > 0 */
 		double m_ultimate_plastic_strain; /* > 0 */
 		double m_damping_ratio;           /* of critical, 0 (none) to 0.1; steel has 0.01, concrete 0.03 */
+		/* Of fibres: */
+		double
+			m_tensile_share; /* strength in tension over that in compression, >= 0; 1 of steel, 0: opens without a force */
+		double m_crushing_strain; /* > 0; 0: as the ultimate plastic strain */
 	};
 
 	struct btep_joint_state
@@ -107,6 +115,20 @@ extern "C"
 		double m_position[3]; /* [m] */
 		double m_impulse[3];  /* on body A in the step, along the world's axes [N s] */
 		double m_velocity[3]; /* of body B against body A, along the world's axes [m/s] */
+		int m_fibre;          /* that has cracked or ruptured; -1 of other events */
+		int m_part; /* of the section it belongs to: 0 the section itself, i its i-th bar; -1 of other events */
+	};
+
+	struct btep_fibre
+	{
+		size_t m_size;
+		double m_force;       /* [N]; tension is positive */
+		double m_elongation;  /* elastic and plastic [m] */
+		double m_plastic;     /* what of it would stay without a force [m] */
+		double m_utilisation; /* 1 is yield */
+		double m_damage;      /* 1: it bears nothing */
+		int m_is_cracked;     /* it bears pressure only */
+		int m_part;           /* as of an event */
 	};
 
 	/* The version of the library. */
@@ -141,12 +163,34 @@ extern "C"
 	int btep_capacity_of_member(btep_world* world, const struct btep_material* material, double width, double height,
 								double length_a, double length_b, struct btep_capacity* capacity);
 
+	/* A rectangle that is cut into about so many fibres, 0: as many as are right within 3 %. Axial force and bending moments of joints with it yield
+   together, as in the section itself. See btElasticPlasticSection::withFibres(). */
+	int btep_section_create(btep_world* world, const struct btep_material* material, double width, double height,
+							int num_fibres, int* section);
+
+	/* Adds a bar of a material of its own, one more fibre, at (y, z) [m]. The first is part 1 of the section. */
+	int btep_section_add_bar(btep_world* world, int section, double y, double z, double area,
+							 const struct btep_material* material);
+
+	/* As btep_capacity_of_member(). gauge_length: over which plastic strain spreads when it tears [m]; 0: the length between the parts' middles. The
+   section may change or go afterwards, and the capacity serves any number of joints of this world. */
+	int btep_capacity_of_section(btep_world* world, int section, double length_a, double length_b, double gauge_length,
+								 struct btep_capacity* capacity);
+
+	/* Its number is never used again. */
+	int btep_section_destroy(btep_world* world, int section);
+
 	/* At a place of the world, with the x axis of the rotation along the member, from A to B. The two do not collide with each other until
    the joint breaks. */
 	int btep_joint_create(btep_world* world, int body_a, int body_b, const double position[3], const double rotation[4],
 						  const struct btep_capacity* capacity, int* joint);
 	int btep_joint_destroy(btep_world* world, int joint);
 	int btep_joint_get_state(btep_world* world, int joint, struct btep_joint_state* state);
+
+	int btep_joint_get_num_fibres(btep_world* world, int joint, int* count);
+
+	/* fibre: 0 to their number less 1 */
+	int btep_joint_get_fibre(btep_world* world, int joint, int fibre, struct btep_fibre* reading);
 
 	/* Has BTEP_LEVEL come when the joint's utilisation rises to a level > 0. */
 	int btep_joint_set_level(btep_world* world, int joint, double utilisation);

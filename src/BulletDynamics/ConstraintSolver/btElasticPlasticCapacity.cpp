@@ -93,13 +93,23 @@ void btElasticPlasticCapacity::scaleYield(btScalar factor)
 	}
 }
 
+namespace
+{
+btElasticPlasticFault faultOfHeat(const btElasticPlasticHeat& heat)
+{
+	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("what heat leaves of strength", heat.m_strength))
+		return f;
+	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("what heat leaves of stiffness", heat.m_stiffness))
+		return f;
+	return btElasticPlasticCheckNotNegative("what heat leaves in tension over strength", heat.m_tensileShare);
+}
+}  // namespace
+
 btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlasticHeat& heat) const
 {
 	btElasticPlasticCapacity hot = *this;
 	if (!hot.m_fault)
-		hot.m_fault = btElasticPlasticCheckNotNegative("what heat leaves of strength", heat.m_strength);
-	if (!hot.m_fault)
-		hot.m_fault = btElasticPlasticCheckNotNegative("what heat leaves of stiffness", heat.m_stiffness);
+		hot.m_fault = faultOfHeat(heat);
 	if (hot.m_fault)
 		return hot;
 	const bool isAnyLeft = heat.m_strength > 0 && heat.m_stiffness > 0;
@@ -107,14 +117,65 @@ btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlastic
 	for (int i = 0; i < BT_EP_DOF_COUNT && isAnyLeft; ++i)
 		hot.m_stiffness[i] *= heat.m_stiffness;
 	for (int i = 0; i < hot.m_fibres.size(); ++i)
+	{
 		hot.m_fibres[i].m_stiffness *= heat.m_stiffness;
+		hot.m_fibres[i].m_tension *= heat.m_tensileShare;
+	}
+	return hot;
+}
+
+btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlasticHeat* ofParts, int count) const
+{
+	btElasticPlasticCapacity hot = *this;
+	if (!hot.m_fault && count < 1)
+		hot.m_fault = btElasticPlasticFault("number of heats", btScalar(count), "1 or more");
+	for (int i = 0; i < count && !hot.m_fault; ++i)
+		hot.m_fault = faultOfHeat(ofParts[i]);
+	if (hot.m_fault)
+		return hot;
+	bool isAnyLeft = false;
+	for (int i = 0; i < m_fibres.size(); ++i)
+	{
+		const btElasticPlasticHeat& heat = ofParts[btMax(0, btMin(m_fibres[i].m_part, count - 1))];
+		isAnyLeft |= heat.m_strength > 0 && heat.m_stiffness > 0;
+	}
+	if (!isAnyLeft)
+	{
+		btElasticPlasticHeat all = ofParts[0];
+		if (hasFibres())
+			all.m_strength = all.m_stiffness = 0;
+		return heated(all);
+	}
+	const btScalar least = btScalar(1e-6);
+	for (int i = 0; i < m_fibres.size(); ++i)
+	{
+		const btElasticPlasticHeat& heat = ofParts[btMax(0, btMin(m_fibres[i].m_part, count - 1))];
+		btElasticPlasticFibre& fibre = hot.m_fibres[i];
+		fibre.m_stiffness *= btMax(heat.m_stiffness, least);
+		fibre.m_compression *= btMax(heat.m_strength, least);
+		fibre.m_tension *= btMax(heat.m_strength, least) * heat.m_tensileShare;
+	}
+	hot.takeFibres(*this);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		if (isOfFibres(i))
+			continue;
+		// A shear bends the section's halves, too.
+		const int bending = coupledWith(i);
+		const btScalar bent = bending >= 0 ? hot.m_stiffness[bending] / m_stiffness[bending] : btScalar(1),
+					   left = btMax(ofParts[0].m_stiffness, least);
+		hot.m_yield[i] *= btMax(ofParts[0].m_strength, least);
+		hot.m_stiffness[i] *= btMin(left, bent);
+		if (bending >= 0)
+			hot.m_coupling[planeOf(i)] *= btSqrt(btMin(left, bent) / bent);
+	}
 	return hot;
 }
 
 bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) const
 {
-	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length && m_damping == other.m_damping &&
-				  m_fibres.size() == other.m_fibres.size();
+	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length &&
+				  m_damping == other.m_damping && m_fibres.size() == other.m_fibres.size();
 	isSame &= m_curvePoints.size() == other.m_curvePoints.size();
 	for (int i = 0; isSame && i < m_fibres.size(); ++i)
 		isSame = m_fibres[i].isSameAs(other.m_fibres[i]);

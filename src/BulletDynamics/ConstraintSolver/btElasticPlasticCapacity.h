@@ -73,6 +73,12 @@ struct btElasticPlasticCapacity
 	/// Make it from the cold capacity each time. Strength or stiffness 0 takes all degrees of freedom out, as scaleYield() says.
 	btElasticPlasticCapacity heated(const btElasticPlasticHeat& heat) const;
 
+	/// The same of a section whose parts have temperatures or materials of their own, as concrete and its bars: heat i is for fibres of part i
+	/// (btElasticPlasticFibre::m_part), the last one for all others, and the first one for shear and torsion. A part of which nothing is left
+	/// keeps a millionth while another one bears.
+	/// \param count  of heats, >= 1
+	btElasticPlasticCapacity heated(const btElasticPlasticHeat* ofParts, int count) const;
+
 	/// False for what is no degree of freedom.
 	bool isElasticPlastic(int dof) const { return btElasticPlasticIsDof(dof) && m_yield[dof] > 0; }
 	/// Whether a degree of freedom is one of those that fibres make up: axial force and the two bendings.
@@ -144,6 +150,7 @@ struct btElasticPlasticCapacity
 
 private:
 	btElasticPlasticFault faultOfFibres() const;
+	void takeFibres(const btElasticPlasticCapacity& before);
 	btElasticPlasticFault faultOfCurve(const btElasticPlasticFibre& fibre) const;
 };
 

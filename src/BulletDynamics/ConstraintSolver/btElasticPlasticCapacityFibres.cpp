@@ -197,3 +197,41 @@ void btElasticPlasticCapacity::addFibres(const btElasticPlasticMaterial& materia
 		m_yield[BT_EP_BENDING_Y + i] = aloneOf(cells, i == 0 ? MOMENT_Y : MOMENT_Z, moment[i]);
 	}
 }
+
+namespace
+{
+std::vector<Cell> cellsOf(const btElasticPlasticCapacity& capacity)
+{
+	std::vector<Cell> cells;
+	for (int i = 0; i < capacity.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& f = capacity.m_fibres[i];
+		cells.push_back({double(f.m_y), double(f.m_z), double(f.m_tension), double(f.m_compression)});
+	}
+	return cells;
+}
+}  // namespace
+
+/// After a change of the fibres: stiffness follows them, and what one force can be by itself changes as theirs does.
+/// \param before  with the fibres as they were
+void btElasticPlasticCapacity::takeFibres(const btElasticPlasticCapacity& before)
+{
+	btScalar stiffness[3] = {};
+	for (int i = 0; i < m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& f = m_fibres[i];
+		stiffness[0] += f.m_stiffness;
+		stiffness[1] += f.m_stiffness * f.m_z * f.m_z;
+		stiffness[2] += f.m_stiffness * f.m_y * f.m_y;
+	}
+	const int dofs[3] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};
+	const SectionForce forces[3] = {AXIAL_FORCE, MOMENT_Y, MOMENT_Z};
+	const std::vector<Cell> former = cellsOf(before), cells = cellsOf(*this);
+	for (int k = 0; k < 3; ++k)
+	{
+		const double was = strengthAlone(former, forces[k]), is = strengthAlone(cells, forces[k]);
+		m_stiffness[dofs[k]] = stiffness[k];
+		if (was > 0 && is > 0)
+			m_yield[dofs[k]] *= btScalar(is / was);
+	}
+}

@@ -82,7 +82,7 @@ struct btElasticPlasticFibreState
 /// What a fibre shows at the end of a step.
 struct btElasticPlasticFibreReading
 {
-	btScalar m_force = 0;  ///< tension is positive [N]
+	btScalar m_force = 0;  ///< with what the material's damping adds; tension is positive [N]
 	btScalar m_elongation =
 		0;                   ///< elastic and plastic, since it was without force; with the gap of one that is open [m]
 	btScalar m_plastic = 0;  ///< what of it would stay if the force went [m]

@@ -113,14 +113,14 @@ public:
 	/// may end before the solution, as far as the bodies have given for it: the strain that such a solver leaves is no energy.
 	double getElasticEnergy() const;
 
-	/// Dissipated by plastic flow, force times way [J]; with such a solver as far as the bodies have given for it, to a half of a step's flow.
+	/// Dissipated by plastic flow, force times way [J]; with such a solver as far as the bodies have given for it.
 	double getPlasticEnergy() const;
 
 	/// Dissipated by the material's damping [J].
 	double getDampingEnergy() const;
 
 	/// Taken from the bodies by the joint in all, less elastic, plastic and damping energy: what the time integration has dissipated [J].
-	/// May be a little negative: plastic flow counts by the step's last velocity, work by its mean one.
+	/// May be a little negative with the direct form: plastic flow counts by the step's last velocity, work by its mean one.
 	double getNumericalEnergy() const;
 
 	/// Taken from the bodies by the joint in all [J].

@@ -24,6 +24,7 @@ struct Line
 
 const char* const STEEL = "EN 1993-1-1, 3.2.6 and table 3.1; least elongation by EN 10025-2, table 7";
 const char* const FINE_STEEL = "EN 1993-1-1, 3.2.6 and table 3.1; least elongation by EN 10025-3";
+const char* const BOLTS = "EN 1993-1-8, table 3.1: f_yb; least elongation by EN ISO 898-1";
 const char* const BARS = "EN 1992-1-1, 3.2.7 and table C.1";
 const char* const CONCRETE = "EN 1992-1-1, table 3.1 and 3.1.3; no tension as in 6.1";
 const char* const ALUMINIUM = "EN 1999-1-1, 3.2.5 and table 3.2b, extruded, 6082 of more than 5 mm";
@@ -39,6 +40,9 @@ const Line TABLE[] = {
 	{"S420", FINE_STEEL, 210, 0.3, 7850, 420, 420, 0.19, 0, 1},
 	{"S460", FINE_STEEL, 210, 0.3, 7850, 460, 460, 0.17, 0, 1},
 	{"A992", "ASTM A992: 50 ksi, 18 % in 8 in; AISC 360 for the modulus", 200, 0.3, 7850, 345, 345, 0.18, 0, 1},
+	{"bolt 4.6", BOLTS, 210, 0.3, 7850, 240, 240, 0.22, 0, 1},
+	{"bolt 8.8", BOLTS, 210, 0.3, 7850, 640, 640, 0.12, 0, 1},
+	{"bolt 10.9", BOLTS, 210, 0.3, 7850, 900, 900, 0.09, 0, 1},
 	{"B500A", BARS, 200, 0.3, 7850, 500, 500, 0.025, 0, 1},
 	{"B500B", BARS, 200, 0.3, 7850, 500, 500, 0.05, 0, 1},
 	{"B500C", BARS, 200, 0.3, 7850, 500, 500, 0.075, 0, 1},

@@ -15,7 +15,7 @@
 /// and concrete's strength in shear is that of the chosen criterion.
 ///
 /// Compared with printed tables of these standards: all strengths and moduli but those below; the strains of concrete, bars and A992.
-/// Named after their standard, but not compared: the elongations of steels S235 to S460 and of aluminium; of cast iron all but the tensile
+/// Named after their standard, but not compared: the elongations of steels S235 to S460, of bolts and of aluminium; of cast iron all but the tensile
 /// strength and the density; masonry. Of no standard: the plastic strains of timber, brick and glass, which break where they yield.
 struct btElasticPlasticReadyMaterial
 {
@@ -23,7 +23,7 @@ struct btElasticPlasticReadyMaterial
 	const char* m_source;  ///< standard and table
 	btElasticPlasticMaterial m_material;
 
-	/// Structural steel S235, S275, S355, S420, S460, A992; reinforcement B500A, B500B, B500C; concrete C20/25, C25/30, C30/37, C35/45,
+	/// Structural steel S235, S275, S355, S420, S460, A992; bolts "bolt 4.6", "bolt 8.8", "bolt 10.9"; reinforcement B500A, B500B, B500C; concrete C20/25, C25/30, C30/37, C35/45,
 	/// C40/50, C45/55, C50/60; aluminium 6061-T6, 6082-T6; cast iron GJL-250; timber "C24 along", "C24 across"; masonry "clay brick";
 	/// "float glass", "toughened glass".
 	static int count();

@@ -31,6 +31,12 @@ struct btElasticPlasticSectionPoint
 	btScalar m_y, m_z;  ///< [m]
 };
 
+/// A weld.
+struct btElasticPlasticSectionLine
+{
+	btElasticPlasticSectionPoint m_from, m_to;
+};
+
 /// A piece of a section that is small enough to have one stress.
 struct btElasticPlasticSectionFibre
 {
@@ -82,7 +88,7 @@ struct btElasticPlasticSection
 	/// \param count  about how many, 4 to 400; 0: as many as are right within 3 %. A rectangle takes 12 (4 %), 16 (2.5 %) or 36 (1 %), a
 	///               circle 14 (3.2 %), 20 (1.8 %) or 33 (1.1 %), a tube as many as are asked for (20: 0.9 %), another section multiples
 	///               of 4 for each of its parts (an I-section 12: 5.3 %, 24: 1.7 %, 60: 0.7 %; a box 16: 2.8 %, 24: 1.2 %). A polygon takes as many as are
-	///               asked for, 36 by default, and some 100 for 1 %.
+	///               asked for, 36 by default, and some 100 for 1 %. Each bolt is one.
 	btElasticPlasticSection withFibres(int count = 0) const;
 
 	/// Adds a bar, an anchor or a bolt: one more fibre, of a material of its own. Cut the section into fibres first.
@@ -142,6 +148,19 @@ struct btElasticPlasticSection
 	/// Angle: legs from the corner at y = z = 0 along y to h and along z to b, both t thick, t < h, b [m]. Its principal axes are turned. A force in shear
 	/// is shared by the legs, each along itself.
 	static btElasticPlasticSection angle(btScalar width, btScalar height, btScalar thickness);
+
+	/// What bolts of one size bear between two plates: each its tension, and its shear in any direction. In bending and under pressure plates
+	/// press on each other: add the area where they touch by addPart(), of a material with m_tensileShare 0; else the bolts are pressed.
+	/// withFibres() makes one fibre of each.
+	/// \param places  in axes y and z of your own, 1 to 400
+	/// \param area    of one in its thread, A_s [m^2] > 0; M20 has 245 mm^2
+	static btElasticPlasticSection bolts(const btElasticPlasticSectionPoint* places, int count, btScalar area);
+
+	/// What welds with one throat bear, by the throats' areas turned into the plane: each its force across and along, and its shear in any direction.
+	/// The material is the weld's. Torsion by shears about the place where they bear least, as bolts'.
+	/// \param lines   in axes y and z of your own, 1 to 400, each longer than the throat
+	/// \param throat  [m] > 0
+	static btElasticPlasticSection welds(const btElasticPlasticSectionLine* lines, int count, btScalar throat);
 };
 
 #endif  // BT_ELASTIC_PLASTIC_SECTION_H

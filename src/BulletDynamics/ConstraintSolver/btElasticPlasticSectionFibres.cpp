@@ -154,6 +154,11 @@ void addParts(btElasticPlasticSection& section, int count)
 	for (int i = 0; i < section.m_parts.size(); ++i)
 	{
 		const btElasticPlasticSectionPart& part = section.m_parts[i];
+		if (part.m_radius > 0)
+		{
+			add(section, part.m_y, part.m_z, FULL_TURN / 2 * double(part.m_radius) * double(part.m_radius));
+			continue;
+		}
 		const int own = 4 * btMax(1, int(count * rootOf(i) / sum / 4 + 0.5));
 		const btScalar longer = btMax(part.m_height, part.m_width), shorter = btMin(part.m_height, part.m_width);
 		// Two rows do not tell a stout part's bending about its longer side.

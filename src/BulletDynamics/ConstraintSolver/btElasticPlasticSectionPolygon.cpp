@@ -16,7 +16,6 @@ using namespace btElasticPlastic;
 namespace
 {
 const int MOST_CORNERS = 1000, SLICES = 400;
-const double EIGHTH_TURN = 0.78539816339744831;
 
 btElasticPlasticFault faultOfOutlines(const std::vector<Region::Outline>& outlines)
 {
@@ -85,10 +84,7 @@ btElasticPlasticSection sectionOf(std::vector<Region::Outline> outlines)
 	Region drawn;
 	drawn.m_outlines = outlines;
 	const Region::Moments given = drawn.moments();
-	// y is the principal axis that is nearer to the drawn one.
-	double turn = principalTurn(given.centred());
-	if (fabs(turn) > EIGHTH_TURN * (1 + 1e-6))
-		turn += turn > 0 ? -2 * EIGHTH_TURN : 2 * EIGHTH_TURN;
+	const double turn = nearestPrincipalTurn(given.centred());
 	const Region region = drawn.seenFrom(given.m_y / given.m_area, given.m_z / given.m_area, turn);
 	const Region::Moments m = region.moments();
 	double size[2] = {};

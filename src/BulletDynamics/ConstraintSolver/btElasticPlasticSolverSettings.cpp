@@ -27,8 +27,8 @@ btElasticPlasticFault btElasticPlasticSolverSettings::fault() const
 		return btElasticPlasticFault("number of rounds of contacts", btScalar(m_maxContactLoops), "at least 0");
 	if (m_maxIterations < 0)
 		return btElasticPlasticFault("number of iterations", btScalar(m_maxIterations), "at least 0");
-	if (m_maxVectorWidth != 2 && m_maxVectorWidth != 4 && m_maxVectorWidth != 8)
-		return btElasticPlasticFault("width of vectors", btScalar(m_maxVectorWidth), "2, 4 or 8");
+	if (m_maxVectorWidth != 1 && m_maxVectorWidth != 2 && m_maxVectorWidth != 4 && m_maxVectorWidth != 8)
+		return btElasticPlasticFault("width of vectors", btScalar(m_maxVectorWidth), "1, 2, 4 or 8");
 	if (const btElasticPlasticFault f =
 			btElasticPlasticCheckPositive("tolerance of contacts", btScalar(m_contactTolerance)))
 		return f;

@@ -88,8 +88,9 @@ struct btElasticPlasticSolverSettings
 	/// Residual at which these iterations end, relative to the right side, > 0.
 	double m_iterationTolerance = 1e-11;
 
-	/// The widest vectors that the factorisation may use, in doubles: 2, 4 or 8; the processor may have less. Different widths
-	/// differ by rounding: 2 makes all x86-64 processors agree to the bit, at up to twice the time.
+	/// The widest vectors that the factorisation may use, in doubles: 1, 2, 4 or 8; the processor may have less. All processors that
+	/// fuse multiplication and addition (x86-64 with AVX2 and FMA) give the same bits by 2, 4 and 8. By 1 they do not fuse, and
+	/// agree with those that cannot, at up to twice the time.
 	int m_maxVectorWidth = 8;
 
 	static constexpr int MAX_THREADS = 64;

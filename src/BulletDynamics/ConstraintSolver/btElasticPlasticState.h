@@ -37,13 +37,15 @@ struct btElasticPlasticState
 	bool m_yielded = false;            ///< has flowed at least once
 	bool m_broken = false;
 	// In double whatever Bullet's precision: sums over many steps.
-	double m_work = 0;  ///< taken from the bodies [J]
+	double m_work = 0;           ///< taken from the bodies [J]
+	double m_plasticEnergy = 0;  ///< dissipated by plastic flow, force at yield times path [J]
+	double m_dampingEnergy = 0;  ///< dissipated by the material's damping [J]
+	// Where no exact solver has the joint (EnergyLedger.h):
 	double m_storedEnergy =
-		0;  ///< where no exact solver has the joint: in the springs, as far as bodies have given for it; below
-			///< 0: flow that they still have to give for [J]
-	double m_placeEnergy = -1;       ///< there, of the bodies' places when the last step had ended; -1: not known [J]
-	double m_plasticEnergy = 0;      ///< dissipated by plastic flow, force at yield times path [J]
-	double m_dampingEnergy = 0;      ///< dissipated by the material's damping [J]
+		0;  ///< in the springs, as far as bodies have given for it; below 0: what they still have to give [J]
+	double m_placeEnergy = -1;       ///< of the bodies' places when the last step had ended; -1: not known [J]
+	double m_plasticOwed = 0;        ///< of the plastic energy, what bodies still have to give for [J]
+	double m_dampingOwed = 0;        ///< of the damping energy, likewise [J]
 	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
 	btScalar m_watched[6] = {};      ///< deformation, elastic and plastic, when the load last changed [m], [rad]
 	unsigned m_passedLevels =

@@ -25,7 +25,7 @@ static class Btep
 	public struct Material
 	{
 		public UIntPtr size;
-		public double youngsModulus, poissonsRatio, yieldStress, ultimatePlasticStrain, dampingRatio;
+		public double youngsModulus, poissonsRatio, yieldStress, ultimatePlasticStrain, dampingRatio, tensileShare, crushingStrain;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]
@@ -37,6 +37,7 @@ static class Btep
 		[MarshalAs(UnmanagedType.ByValArray, SizeConst = 6)] public double[] ductility;
 		[MarshalAs(UnmanagedType.ByValArray, SizeConst = 2)] public double[] coupling;
 		public double length, damping;
+		public int fibres;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]
@@ -48,6 +49,7 @@ static class Btep
 		[MarshalAs(UnmanagedType.ByValArray, SizeConst = 3)] public double[] position;
 		[MarshalAs(UnmanagedType.ByValArray, SizeConst = 3)] public double[] impulse;
 		[MarshalAs(UnmanagedType.ByValArray, SizeConst = 3)] public double[] velocity;
+		public int fibre, part;
 	}
 
 	[DllImport(Library)] public static extern int btep_world_create(int version, double[] gravity, out IntPtr world);
@@ -87,10 +89,11 @@ static class Sample
 
 	static int Main()
 	{
-		Check(Btep.btep_world_create(2, new double[] { 0, -10, 0 }, out world));
+		Check(Btep.btep_world_create(3, new double[] { 0, -10, 0 }, out world));
 		int support = AddBox(0, 0), load = AddBox(3000, -2), joint;
 		var steel = new Btep.Material { size = SizeOf<Btep.Material>(), youngsModulus = 200e9, poissonsRatio = 0.3,
-										yieldStress = 200e6, ultimatePlasticStrain = 0.2, dampingRatio = 0.01 };
+										yieldStress = 200e6, ultimatePlasticStrain = 0.2, dampingRatio = 0.01,
+										tensileShare = 1 };
 		var rod = new Btep.Capacity { size = SizeOf<Btep.Capacity>() };
 		Check(Btep.btep_capacity_of_member(world, ref steel, 0.01, 0.01, 1, 1, ref rod));
 		double half = Math.Sqrt(0.5);

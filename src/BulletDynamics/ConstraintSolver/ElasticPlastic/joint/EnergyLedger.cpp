@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "BodyEnergy.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "JointWorks.h"
 #include "LinearMath/btTransformUtil.h"
@@ -17,45 +18,50 @@ namespace
 {
 /// Beyond this nothing is energy.
 const double MOST = 1e300;
-
-double dissipated(const btElasticPlasticState& state) { return state.m_plasticEnergy + state.m_dampingEnergy; }
 }  // namespace
 
 // ---- structures
 
-int EnergyLedger::indexOf(btRigidBody& body)
+void EnergyLedger::begin()
 {
-	if (body.isStaticOrKinematicObject())
+	m_entries.clear();
+	m_bodies.clear();
+	m_indices.clear();
+}
+
+int EnergyLedger::indexOf(const JointWorks& joint, int side)
+{
+	btRigidBody& body = side ? joint.m_model.bodyB() : joint.m_model.bodyA();
+	const int place = body.getWorldArrayIndex();
+	// Another action may have taken the body out of the world within the step.
+	if (place < 0 || !(body.getInvMass() > 0) || body.isStaticOrKinematicObject())
 		return -1;
-	const size_t place = size_t(body.getWorldArrayIndex());
-	if (place >= m_indices.size())
-		m_indices.resize(place + 1, -1);
-	int& index = m_indices[place];
+	if (size_t(place) >= m_indices.size())
+		m_indices.resize(size_t(place) + 1, -1);
+	int& index = m_indices[size_t(place)];
 	if (index < 0)
 	{
 		index = int(m_bodies.size());
-		m_bodies.push_back({&body, index, btVector3(0, 0, 0), btVector3(0, 0, 0)});
+		m_bodies.push_back({&body, index, btVector3(0, 0, 0), btVector3(0, 0, 0), &joint.m_step.getSpinBefore(side)});
 	}
 	return index;
 }
 
 int EnergyLedger::rootOf(int body)
 {
-	for (int& parent = m_bodies[size_t(body)].m_parent; parent != m_bodies[size_t(parent)].m_parent;)
-		parent = m_bodies[size_t(parent)].m_parent;
-	return m_bodies[size_t(body)].m_parent;
+	const auto parentOf = [this](int of) -> int& { return m_bodies[size_t(of)].m_parent; };
+	while (parentOf(body) != body)
+		body = parentOf(body) = parentOf(parentOf(body));
+	return body;
 }
 
 void EnergyLedger::add(JointWorks& joint)
 {
-	if (m_entries.empty())
-	{
-		m_bodies.clear();
-		m_indices.clear();
-	}
-	JointModel& model = joint.m_model;
-	const int a = indexOf(model.bodyA()), b = indexOf(model.bodyB());
-	m_entries.push_back({&joint, {a, b}, 0, 0, dissipated(model.m_state)});
+	const JointModel& model = joint.m_model;
+	const int a = indexOf(joint, 0), b = indexOf(joint, 1);
+	if (a < 0 && b < 0)
+		return;
+	m_entries.push_back({&joint, {a, b}, 0, 0, model.m_state.m_plasticEnergy, model.m_state.m_dampingEnergy});
 	if (a >= 0 && b >= 0)
 		m_bodies[size_t(rootOf(b))].m_parent = rootOf(a);
 }
@@ -96,6 +102,7 @@ void EnergyLedger::limit(Account& account)
 		account.m_balance += step.getStored();
 		loan += step.getLoan();
 	}
+	account.m_balance -= fmax(findWorkOfTurning(account), 0);
 	const double most = fmax(account.m_balance + loan, 0);
 	// A step that is not finite is the joints' own to refuse.
 	if (given > most && given < MOST)
@@ -134,6 +141,43 @@ void EnergyLedger::findParts(const Account& account)
 											part.m_pose);
 		m_parts.push_back(part);
 	}
+}
+
+/// What Bullet's gyroscopic torques have given the structure: none to a body that is free, but they work on what joints have changed of
+/// its spin.
+double EnergyLedger::findWorkOfTurning(const Account& account)
+{
+	const btScalar dt = m_entries[account.m_first].m_joint->m_step.getTimeStep();
+	// Of what turns by less than a thousandth of a radian in the step it is next to nothing.
+	const auto turns = [&](int i)
+	{
+		const int gyroscopic = BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD | BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
+		return i >= 0 && m_bodies[size_t(i)].m_body->getFlags() & gyroscopic &&
+			   m_bodies[size_t(i)].m_spinBefore->length2() * dt * dt > btScalar(1e-6);
+	};
+	const auto isAny = [&](const Entry& entry) { return turns(entry.m_bodies[0]) || turns(entry.m_bodies[1]); };
+	const auto first = m_entries.begin();
+	if (std::none_of(first + int(account.m_first), first + int(account.m_end), isAny))
+		return 0;
+	findParts(account);
+	double work = 0;
+	for (size_t i = 0; i < m_parts.size(); ++i)
+	{
+		if (!turns(m_partBodies[i]))
+			continue;
+		const RigidMotion::Part& part = m_parts[i];
+		btRigidBody& body = *m_bodies[size_t(m_partBodies[i])].m_body;
+		const btVector3& before = *m_bodies[size_t(m_partBodies[i])].m_spinBefore;
+		// Bullet tells the torque of a body as it is.
+		const btTransform place = body.getWorldTransform();
+		const btVector3 spin = body.getAngularVelocity();
+		body.setWorldTransform(part.m_pose);
+		body.setAngularVelocity(before);
+		work += energyOfTurning(body, part.m_velocity, before, part.m_spin, part.m_pose.getBasis(), dt);
+		body.setWorldTransform(place);
+		body.setAngularVelocity(spin);
+	}
+	return work;
 }
 
 /// The motion that joints leave alone: that of what the structure is joined to, or its own as one.
@@ -223,7 +267,8 @@ void EnergyLedger::limitDissipation(Account& account)
 	for (size_t i = account.m_first; i < account.m_end; ++i)
 	{
 		const btElasticPlasticState& state = m_entries[i].m_joint->m_model.m_state;
-		const double own = dissipated(state) - m_entries[i].m_dissipated;
+		const double own =
+			state.m_plasticEnergy - m_entries[i].m_plastic + state.m_dampingEnergy - m_entries[i].m_damping;
 		sum += own;
 		ahead += state.m_broken ? 0 : own / 2;
 	}
@@ -231,19 +276,24 @@ void EnergyLedger::limitDissipation(Account& account)
 	for (size_t i = account.m_first; i < account.m_end && share < 1; ++i)
 	{
 		btElasticPlasticState& state = m_entries[i].m_joint->m_model.m_state;
-		state.m_plasticEnergy -= (1 - share) * (dissipated(state) - m_entries[i].m_dissipated);
+		state.m_plasticEnergy -= (1 - share) * (state.m_plasticEnergy - m_entries[i].m_plastic);
+		state.m_dampingEnergy -= (1 - share) * (state.m_dampingEnergy - m_entries[i].m_damping);
 	}
 	account.m_balance -= share * sum;
 }
 
 void EnergyLedger::book(Account& account)
 {
-	double springs = 0, ahead = 0;
+	double springs = 0, ahead = 0, dissipation = 0;
 	for (size_t i = account.m_first; i < account.m_end; ++i)
 	{
+		const btElasticPlasticState& state = m_entries[i].m_joint->m_model.m_state;
 		springs += m_entries[i].m_joint->m_model.springEnergy();
+		dissipation += state.m_plasticEnergy + state.m_dampingEnergy;
 		ahead += m_entries[i].m_joint->m_step.getHalfStep();
 	}
+	// What bodies still have to give is no part of what joints tell, of those that break now for ever.
+	const double owed = dissipation > 0 ? fmin(fmax(-account.m_balance, 0) / dissipation, 1) : 0;
 	// What is there beyond what springs hold has been dissipated by the integration.
 	account.m_balance = fmax(fmin(fmin(account.m_balance, springs + ahead), MOST), -MOST);
 	for (size_t i = account.m_first; i < account.m_end; ++i)
@@ -251,7 +301,11 @@ void EnergyLedger::book(Account& account)
 		JointWorks& joint = *m_entries[i].m_joint;
 		const double share =
 			springs > 0 ? joint.m_model.springEnergy() / springs : 1 / double(account.m_end - account.m_first);
-		joint.m_model.m_state.m_storedEnergy = share * account.m_balance;
+		btElasticPlasticState& state = joint.m_model.m_state;
+		state.m_plasticOwed = owed * state.m_plasticEnergy;
+		state.m_dampingOwed = owed * state.m_dampingEnergy;
+		state.m_storedEnergy =
+			share * (account.m_balance + owed * dissipation) - (state.m_plasticOwed + state.m_dampingOwed);
 		joint.m_step.rememberPlace();
 	}
 }

@@ -29,9 +29,9 @@ class EnergyLedger
 {
 public:
 	/// Begins the end of a step.
-	void begin() { m_entries.clear(); }
+	void begin();
 
-	/// Adds a joint that no exact solver has solved.
+	/// Adds a joint that no exact solver has solved; nothing if neither of its bodies moves.
 	void add(JointWorks& joint);
 
 	/// Before joints end their steps: takes back what they give beyond what they have.
@@ -46,7 +46,8 @@ private:
 		JointWorks* m_joint;
 		int m_bodies[2];  ///< of m_bodies, -1: does not move
 		int m_structure;
-		double m_given, m_dissipated;  ///< in the step, before it [J]
+		double m_given;               ///< in the step [J]
+		double m_plastic, m_damping;  ///< dissipated before it [J]
 	};
 
 	struct Body
@@ -54,6 +55,7 @@ private:
 		btRigidBody* m_body;
 		int m_parent;                   ///< another of the same structure, or itself
 		btVector3 m_linear, m_angular;  ///< by which the ledger changes its velocity [m/s], [rad/s]
+		const btVector3* m_spinBefore;  ///< with which the step began, of a joint's step
 	};
 
 	/// The entries of a structure, and what its joints have [J].
@@ -63,12 +65,13 @@ private:
 		double m_balance;
 	};
 
-	int indexOf(btRigidBody& body);
+	int indexOf(const JointWorks& joint, int side);
 	int rootOf(int body);
 	void sortByStructure();
 	void limit(Account& account);
 	void findParts(const Account& account);
 	RigidMotion findReference(const Account& account) const;
+	double findWorkOfTurning(const Account& account);
 	void calm(const Account& account, double beyond);
 	void move(btScalar dt);
 	void limitDissipation(Account& account);

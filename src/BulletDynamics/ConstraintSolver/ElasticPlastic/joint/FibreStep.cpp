@@ -25,36 +25,6 @@ bool isFree(const btRigidBody& body)
 	const btVector3 one(1, 1, 1);
 	return body.getLinearFactor() == one && body.getAngularFactor() == one;
 }
-
-/// Solves a symmetric system of three equations; what is not determined stays 0.
-void solve(double matrix[3][3], double right[3], double solution[3])
-{
-	bool isDone[3] = {};
-	double scale[3];
-	for (int k = 0; k < 3; ++k)
-	{
-		scale[k] = matrix[k][k];
-		solution[k] = 0;
-	}
-	for (int k = 0; k < 3; ++k)
-	{
-		if (!(matrix[k][k] > 1e-9 * scale[k]))
-			continue;
-		isDone[k] = true;
-		for (int i = 0; i < 3; ++i)
-		{
-			if (i == k)
-				continue;
-			const double factor = matrix[i][k] / matrix[k][k];
-			for (int j = 0; j < 3; ++j)
-				matrix[i][j] -= factor * matrix[k][j];
-			right[i] -= factor * right[k];
-		}
-	}
-	for (int k = 0; k < 3; ++k)
-		if (isDone[k])
-			solution[k] = right[k] / matrix[k][k];
-}
 }  // namespace
 
 /// Without a yield value: a fibre has two.
@@ -64,19 +34,54 @@ DofState FibreStep::stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) c
 	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[fibre];
 	const btScalar elongation =
 		strain[BT_EP_AXIAL] + own.m_z * strain[BT_EP_BENDING_Y] - own.m_y * strain[BT_EP_BENDING_Z] - state.m_offset;
-	return {own.m_stiffness, 0, elongation, state.m_force, state.m_forceRate, {}};
+	DofState s = {own.m_stiffness, 0, elongation, state.m_force, state.m_forceRate, {}};
+	if (!m_damping.isNone())
+	{
+		s.m_stiffening = m_damping.getStiffening();
+		s.m_force += m_damped[fibre].m_force;
+		s.m_carried = m_damped[fibre].m_carried;
+	}
+	return s;
 }
 
 DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const
 {
 	const int dof = BT_EP_SHEAR_Y + shear;
 	const btElasticPlasticState& state = m_model.m_state;
-	return {m_model.m_capacity.m_stiffness[dof],
-			m_model.m_capacity.m_yield[dof],
-			strain[dof],
-			state.m_force[dof],
-			state.m_forceRate[dof],
-			{}};
+	DofState s = {m_model.m_capacity.m_stiffness[dof],
+				  m_model.m_capacity.m_yield[dof],
+				  strain[dof],
+				  state.m_force[dof],
+				  state.m_forceRate[dof],
+				  {}};
+	m_damping.addTo(s, state.m_branch, dof);
+	return s;
+}
+
+/// The branches of all fibres together have three forces each; a fibre has of them what its elongation in the plane gives it.
+void FibreStep::findBranches()
+{
+	if (m_damping.isNone())
+		return;
+	SectionPlane sum, kept;
+	m_compliance = m_model.bearingCompliance();
+	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
+	{
+		m_branch[b] = m_compliance.of(m_model.branchForces(b));
+		sum.add(1, m_branch[b]);
+		kept.add(double(m_damping.getKept(b)), m_branch[b]);
+	}
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	m_damped.resize(capacity.m_fibres.size());
+	for (int i = 0; i < m_damped.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
+		Damped& damped = m_damped[i];
+		damped.m_bore = m_model.bears(i);
+		damped.m_force = damped.m_bore ? btScalar(sum.at(fibre) * double(fibre.m_stiffness)) : btScalar(0);
+		damped.m_carried = -m_damping.getStiffening() * m_model.m_state.m_fibres[i].m_force +
+						   (damped.m_bore ? btScalar(kept.at(fibre) * double(fibre.m_stiffness)) : btScalar(0));
+	}
 }
 
 /// Compliance between a fibre and a shear: that between the shear and the bending in its plane, at the fibre's place.
@@ -131,13 +136,14 @@ void FibreStep::findResponse(const Motion& motion, btScalar diagonal)
 ///
 /// since what is not flow is elastic,
 /// whose left side grows and whose right side falls with s: there is one solution, and Newton's steps from above go straight to it.
+/// \param force     with which the step begins [N]
 /// \param strength  at rest [N]
-double FibreStep::rateShareInStep(int i, double rate, const JointModel::FibreStrength& strength) const
+double FibreStep::rateShareInStep(int i, double force, double rate, const JointModel::FibreStrength& strength) const
 {
 	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
 	// What is under a force flows in its direction, if it flows.
-	const bool isPressed = state.m_force != 0 ? state.m_force < 0 : rate < 0;
+	const bool isPressed = force != 0 ? force < 0 : rate < 0;
 	const double sign = isPressed ? -1 : 1, v = sign * rate, before = sign * double(state.m_rate),
 				 atRest = isPressed ? double(strength.m_compression) : double(strength.m_tension);
 	if (!(atRest > 0))
@@ -148,7 +154,7 @@ double FibreStep::rateShareInStep(int i, double rate, const JointModel::FibreStr
 	const double ahead = v + btMax(-byStrength, btMin(byStrength, v - before));
 	const double response = byStrength + atRest / (double(fibre.m_stiffness) * double(m_dt));
 	const double reference = fibre.m_rateReference, exponent = fibre.m_rateExponent;
-	const double right = ahead + response * (sign * double(state.m_force) / atRest - 1);
+	const double right = ahead + response * (sign * force / atRest - 1);
 	if (!(right > 0))
 		return 0;
 	double share = pow(right / reference, 1 / exponent);
@@ -180,9 +186,9 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 	if (fibre.m_rateReference > 0)
 	{
 		strength.m_rate = rate;
-		strength.m_rateShare = btScalar(rateShareInStep(i, rate, strength));
+		strength.m_rateShare = btScalar(rateShareInStep(i, double(s.m_force), double(rate), strength));
 	}
-	const btScalar stronger = 1 + strength.m_rateShare, force = fibre.m_stiffness * (s.m_strain + m_dt * rate),
+	const btScalar stronger = 1 + strength.m_rateShare, force = s.forceAt(s.m_strain + m_dt * rate),
 				   beyond = btMax(force - stronger * strength.m_tension, -force - stronger * strength.m_compression);
 	// A strength that falls lets more flow.
 	const btScalar fall = fibre.m_softens ? fibre.m_tension / fibre.m_stretchLimit / 2 : btScalar(0),
@@ -205,6 +211,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	m_strength.resize(n);
 	findResponse(motion, diagonal);
 	findCoupledRows(rows);
+	findBranches();
 	btScalar a = capacity.m_stiffness[BT_EP_AXIAL] * diagonal;
 	for (int shear = 0; shear < 2; ++shear)
 		if (m_shearRow[shear] >= 0)
@@ -237,23 +244,23 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 }
 
 /// As coupledRows() of Law.h, for all fibres and both shears.
-void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a,
-					   JointRows& rows)
+void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a, JointRows& rows)
 {
 	for (int shear = 0; shear < 2; ++shear)
 	{
 		if (m_shearRow[shear] < 0)
 			continue;
 		const DofState s = stateOfShear(shear, strain);
-		const btScalar known = scheme.known(s, m_dt);
+		const btScalar known = scheme.known(s, m_dt) + scheme.m_alpha * s.m_carried;
 		SoftRow& soft = rows.m_row[m_shearRow[shear]].m_soft;
 		soft = implicitRow(s, scheme, a, m_dt);
 		for (int i = 0; i < m_rows.size(); ++i)
 		{
-			const btScalar coupling = btScalar(couplingOf(i, shear)) / (scheme.m_alpha * m_dt);
+			const btScalar coupling = btScalar(couplingOf(i, shear)) / (scheme.m_alpha * (1 + s.m_stiffening) * m_dt);
+			const DofState fibre = stateOf(i, strain);
 			m_rows[i].m_coupling[shear] = coupling / m_dt;
 			m_rows[i].m_soft.m_velocity += coupling * known;
-			soft.m_velocity += coupling * scheme.known(stateOf(i, strain), m_dt);
+			soft.m_velocity += coupling * (scheme.known(fibre, m_dt) + scheme.m_alpha * fibre.m_carried);
 		}
 	}
 }
@@ -294,18 +301,26 @@ void FibreStep::mapAlone(const btScalar trial[BT_EP_DOF_COUNT])
 	for (int i = 0; i < m_rows.size(); ++i)
 	{
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
-		const double elongation = stateOf(i, trial).m_strain, force = elongation * double(fibre.m_stiffness);
+		const DofState s = stateOf(i, trial);
+		const double elongation = s.m_strain, stiffer = 1 + double(s.m_stiffening), carried = s.m_carried,
+					 force = stiffer * (elongation * double(fibre.m_stiffness)) + carried;
 		const int bound = m_solution[i].m_bound;
 		const double clamped =
 			btMax(-double(m_strength[i].m_compression), btMin(double(m_strength[i].m_tension), force));
 		const bool flows = clamped != force && (force > 0 ? bound > 0 : bound < 0);
-		m_mapped[i] = {clamped, flows ? elongation - clamped / double(fibre.m_stiffness) : 0, 0};
+		const double spring = (clamped - carried) / stiffer;
+		m_mapped[i] = {spring, clamped, flows ? elongation - spring / double(fibre.m_stiffness) : 0, 0, 0};
 	}
 }
 
 void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome)
 {
 	m_bundle.m_fibres.resize(size_t(m_rows.size()));
+	const double stiffer = 1 + double(m_damping.getStiffening());
+	double carried[2] = {}, turnedByCarried[2] = {};  // of the shears, and by the fibres'
+	for (int s = 0; s < 2; ++s)
+		if (m_shearRow[s] >= 0)
+			carried[s] = double(stateOfShear(s, trial).m_carried);
 	for (int i = 0; i < m_rows.size(); ++i)
 	{
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
@@ -314,10 +329,15 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 		spring.m_compliance = 1 / double(fibre.m_stiffness);
 		spring.m_lower = holds ? -double(m_strength[i].m_compression) : 0;
 		spring.m_upper = holds ? double(m_strength[i].m_tension) : 0;
-		spring.m_target = stateOf(i, trial).m_strain;
+		const DofState state = stateOf(i, trial);
+		spring.m_target = stiffer * double(state.m_strain) + double(state.m_carried) * spring.m_compliance;
 		spring.m_bound = m_solution[i].m_bound;
 		for (int s = 0; s < 2; ++s)
+		{
 			spring.m_coupling[s] = couplingOf(i, s);
+			spring.m_target += spring.m_coupling[s] * carried[s];
+			turnedByCarried[s] += spring.m_coupling[s] * double(state.m_carried);
+		}
 	}
 	for (int s = 0; s < 2; ++s)
 	{
@@ -329,32 +349,36 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 		spring = {1 / double(state.m_stiffness),
 				  -double(state.m_yield),
 				  double(state.m_yield),
-				  double(state.m_strain),
+				  stiffer * double(state.m_strain) + carried[s] / double(state.m_stiffness) + turnedByCarried[s],
 				  0,
 				  shears[s]->m_bound};
 	}
 	m_bundle.project();
-	const double shear[2] = {m_bundle.m_shear[0].m_force, m_bundle.m_shear[1].m_force};
+	const double shear[2] = {(m_bundle.m_shear[0].m_force - carried[0]) / stiffer,
+							 (m_bundle.m_shear[1].m_force - carried[1]) / stiffer};
 	double turned[2] = {};
 	for (int i = 0; i < m_rows.size(); ++i)
 	{
 		const CoupledBundle::Fibre& spring = m_bundle.m_fibres[size_t(i)];
 		const int bound = m_solution[i].m_bound;
-		const double elastic =
-			spring.m_force * spring.m_compliance + spring.m_coupling[0] * shear[0] + spring.m_coupling[1] * shear[1];
+		const DofState state = stateOf(i, trial);
+		const double force = (spring.m_force - double(state.m_carried)) / stiffer,
+					 elastic = force * spring.m_compliance + spring.m_coupling[0] * shear[0] +
+							   spring.m_coupling[1] * shear[1];
 		const bool flows = spring.m_bound != 0 && spring.m_bound == bound;
-		m_mapped[i] = {spring.m_force, flows ? spring.m_target - elastic : 0, 0};
+		m_mapped[i] = {force, spring.m_force, flows ? double(state.m_strain) - elastic : 0, 0, 0};
 		for (int s = 0; s < 2; ++s)
-			turned[s] += spring.m_coupling[s] * spring.m_force;
+			turned[s] += spring.m_coupling[s] * force;
 	}
 	outcome.m_isCoupled = true;
 	for (int s = 0; s < 2; ++s)
 	{
 		const CoupledBundle::Spring& spring = m_bundle.m_shear[s];
 		const bool flows = m_shearRow[s] >= 0 && spring.m_bound != 0 && spring.m_bound == shears[s]->m_bound;
-		outcome.m_shear[s].m_force = btScalar(spring.m_force);
+		outcome.m_shear[s].m_force = btScalar(shear[s]);
 		outcome.m_shear[s].m_increment =
-			flows ? btScalar(spring.m_target - spring.m_force * spring.m_compliance - turned[s]) : btScalar(0);
+			flows ? btScalar(double(stateOfShear(s, trial).m_strain) - shear[s] * spring.m_compliance - turned[s])
+				  : btScalar(0);
 	}
 }
 
@@ -376,7 +400,7 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 			turned[s] += couplingOf(i, s) * force;
 		}
 		const bool opens = m_strength[i].m_tension == 0 && beyond > 0;
-		m_mapped[i] = {force, opens ? beyond : 0, opens ? 0 : beyond};
+		m_mapped[i] = {force, force, opens ? beyond : 0, opens ? 0 : beyond, 0};
 	}
 	outcome.m_isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
 	for (int s = 0; s < 2; ++s)
@@ -452,12 +476,13 @@ void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outco
 		// A crack opens without a force, and closes where it has opened.
 		const bool opens = isOpen(i);
 		if (mapped.m_increment != 0 && !opens)
-			flow(i, mapped.m_force, mapped.m_increment, outcome);
+			flow(i, mapped.m_total, mapped.m_increment, outcome);
 		outcome.m_hasMoved |= mapped.m_increment != 0;
 		state.m_offset += btScalar(opens ? 0 : mapped.m_unloaded);
-		const bool holds = !state.isRuptured() && !(state.m_isCracked && mapped.m_force > 0);
-		const double force = holds ? mapped.m_force : 0;
-		state.m_forceRate = holds ? (btScalar(force) - state.m_force) / m_dt : btScalar(0);
+		const bool holds = !state.isRuptured() && !(m_model.bearsPressureOnly(i) && mapped.m_force > 0);
+		const double force = holds && !opens ? mapped.m_force : 0;
+		m_mapped[i].m_change = btScalar(force) - state.m_force;
+		state.m_forceRate = holds ? m_mapped[i].m_change / m_dt : btScalar(0);
 		state.m_force = btScalar(force);
 		sum[0] += force;
 		sum[1] += double(fibre.m_z) * force;
@@ -465,6 +490,84 @@ void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outco
 	}
 	for (int k = 0; k < 3; ++k)
 		outcome.m_force[k] = btScalar(sum[k]);
+}
+
+/// Ends the step of the branches by which the material damps.
+void FibreStep::damp(Outcome& outcome)
+{
+	bool isElastic = true;
+	for (int i = 0; i < m_rows.size() && isElastic; ++i)
+	{
+		const Mapped& mapped = m_mapped[i];
+		const bool bears = m_model.bears(i), stays = mapped.m_increment == 0 && mapped.m_unloaded == 0;
+		isElastic = bears == m_damped[i].m_bore && (stays || !bears);
+	}
+	if (isElastic)
+		dampTogether(outcome);
+	else
+		dampEach(outcome);
+}
+
+/// Where forces have changed as in an elastic section, and so have those of the branches.
+void FibreStep::dampTogether(Outcome& outcome)
+{
+	SectionForces change;
+	for (int i = 0; i < m_rows.size(); ++i)
+		change.add(m_model.m_capacity.m_fibres[i], double(m_mapped[i].m_change));
+	SectionPlane grown;
+	const SectionPlane changed = m_compliance.of(change);
+	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
+	{
+		const SectionForces before = m_model.branchForces(b);
+		SectionForces& after = outcome.m_branch[b];
+		const auto next = [&](double q, double by) { return double(m_damping.next(b, btScalar(q), btScalar(by))); };
+		after.m_axial = next(before.m_axial, change.m_axial);
+		after.m_momentY = next(before.m_momentY, change.m_momentY);
+		after.m_momentZ = next(before.m_momentZ, change.m_momentZ);
+		SectionPlane plane;
+		plane.add(double(m_damping.getKept(b)), m_branch[b]);
+		plane.add(double(m_damping.getTaken(b)), changed);
+		outcome.m_squares[b] = before.along(m_branch[b]) + before.along(plane) + after.along(plane);
+		grown.add(1, plane);
+		grown.add(-1, m_branch[b]);
+	}
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+		if (m_damped[i].m_bore)
+			m_model.m_state.m_fibres[i].m_forceRate += btScalar(grown.at(fibre) * double(fibre.m_stiffness)) / m_dt;
+	}
+}
+
+void FibreStep::dampEach(Outcome& outcome)
+{
+	double squares[MaterialDamping::BRANCHES] = {};
+	for (int i = 0; i < m_rows.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+		const double stiffness = fibre.m_stiffness;
+		const bool bears = m_model.bears(i);
+		btScalar grown = 0;
+		for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
+		{
+			const btScalar before = m_damped[i].m_bore ? btScalar(m_branch[b].at(fibre) * stiffness) : btScalar(0),
+						   after = bears ? m_damping.next(b, before, m_mapped[i].m_change) : btScalar(0);
+			const double q0 = before, q1 = after;
+			outcome.m_squares[b] += bears ? (q0 * q0 + q0 * q1 + q1 * q1) / stiffness : 0;
+			squares[b] += (bears ? q1 * q1 : q0 * q0) / stiffness;
+			outcome.m_branch[b].add(fibre, q1);
+			grown += after - before;
+		}
+		btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+		if (!state.isRuptured())
+			state.m_forceRate += grown / m_dt;
+	}
+	const SectionCompliance kept = m_model.bearingCompliance();
+	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
+	{
+		const SectionForces& sum = outcome.m_branch[b];
+		outcome.m_lost += fmax(squares[b] - sum.along(kept.of(sum)), 0) / (2 * double(m_damping.getGain(b)));
+	}
 }
 
 /// Ruptures what is left of a section that gapes wider throughout than its fibres stretch.
@@ -490,7 +593,8 @@ void FibreStep::tearApart(Outcome& outcome)
 void FibreStep::takeMean(btScalar mean[3])
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
-	double matrix[3][3] = {}, right[3] = {}, plane[3];
+	SectionStiffness section;
+	SectionForces sum;
 	for (int i = 0; i < m_rows.size(); ++i)
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
@@ -498,23 +602,15 @@ void FibreStep::takeMean(btScalar mean[3])
 		const bool opens = !state.isRuptured() && isOpen(i);
 		const double weight = double(fibre.m_stiffness) * (state.isRuptured() || opens ? WEIGHT_OF_IDLE : 1),
 					 offset = double(state.m_offset) + (opens ? m_mapped[i].m_increment : 0);
-		const double g[3] = {1, double(fibre.m_z), -double(fibre.m_y)};
-		for (int k = 0; k < 3; ++k)
-		{
-			right[k] += weight * g[k] * offset;
-			for (int l = 0; l < 3; ++l)
-				matrix[k][l] += weight * g[k] * g[l];
-		}
+		section.add(fibre, weight);
+		sum.add(fibre, weight * offset);
 	}
-	solve(matrix, right, plane);
+	const SectionPlane plane = section.invert().of(sum);
 	for (int i = 0; i < m_rows.size(); ++i)
-	{
-		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
-		m_model.m_state.m_fibres[i].m_offset -=
-			btScalar(plane[0] + double(fibre.m_z) * plane[1] - double(fibre.m_y) * plane[2]);
-	}
-	for (int k = 0; k < 3; ++k)
-		mean[k] = btScalar(plane[k]);
+		m_model.m_state.m_fibres[i].m_offset -= btScalar(plane.at(capacity.m_fibres[i]));
+	mean[0] = btScalar(plane.m_elongation);
+	mean[1] = btScalar(plane.m_turnY);
+	mean[2] = btScalar(plane.m_turnZ);
 }
 
 FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2],
@@ -531,6 +627,8 @@ FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], cons
 	const int numBefore = m_losses.size();
 	takeStates(trial, outcome);
 	tearApart(outcome);
+	if (!m_damping.isNone())
+		damp(outcome);
 	if (m_losses.size() > numBefore + 1)
 		std::stable_sort(&m_losses[numBefore], &m_losses[0] + m_losses.size(),
 						 [](const Loss& a, const Loss& b) { return a.m_share < b.m_share; });

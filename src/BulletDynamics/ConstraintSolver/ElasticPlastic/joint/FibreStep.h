@@ -9,6 +9,8 @@
 #include "CoupledBundle.h"
 #include "JointModel.h"
 #include "JointRows.h"
+#include "MaterialDamping.h"
+#include "SectionStiffness.h"
 
 namespace btElasticPlastic
 {
@@ -19,10 +21,15 @@ namespace btElasticPlastic
 /// that of Law.h, with bounds from its strengths in tension and in compression. All fibres have one alpha and beta, those of the
 /// axial row, and of the shears too where these are coupled with bending. The offsets of fibres have no mean: what they have in common
 /// is the joint's plastic deformation, by which the reference moves.
+///
+/// The material's damping acts on each fibre as on a spring, with branches whose forces follow the fibre's and relax. At the end of a step only
+/// what they add up to over the section is kept, N, M_y and M_z of each branch, and the next one finds of it the fibres' shares, as of a section that
+/// is elastic: these are the least energy with that sum. So nothing is left out while no fibre flows, and what is, is dissipated.
 class FibreStep
 {
 public:
-	explicit FibreStep(JointModel& model) : m_model(model) {}
+	/// \param damping  that of the step
+	FibreStep(JointModel& model, const MaterialDamping& damping) : m_model(model), m_damping(damping) {}
 
 	/// How the step begins.
 	struct Motion
@@ -52,6 +59,10 @@ public:
 		bool m_hasMoved = false;   ///< an offset has changed
 		bool m_isCoupled = false;  ///< whether the shears' mapping follows from the fibres' one, as given here
 		ReturnMapping m_shear[2];
+		// Of the damping's branches:
+		SectionForces m_branch[MaterialDamping::BRANCHES];  ///< at the end of the step
+		double m_squares[MaterialDamping::BRANCHES] = {};   ///< sum of q0^2 + q0 q1 + q1^2, over k
+		double m_lost = 0;                                  ///< energy of what is not kept, see the class [J]
 	};
 
 	/// Maps all fibres, and changes their state.
@@ -82,16 +93,27 @@ private:
 		btScalar m_impulse;
 		signed char m_bound;
 	};
+	/// A fibre's share of all the damping's branches at the start of the step.
+	struct Damped
+	{
+		btScalar m_force;
+		btScalar m_carried;  ///< see DofState
+		bool m_bore;         ///< see JointModel::bears()
+	};
 	struct Mapped
 	{
-		double m_force, m_increment;
+		double m_force;  ///< of the spring
+		double m_total;  ///< with the damping's branches
+		double m_increment;
 		double m_unloaded;  ///< given up, neither elastic nor plastic
+		btScalar m_change;  ///< of the spring's force in the step, once its state is taken
 	};
 
 	DofState stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	DofState stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	double couplingOf(int fibre, int shear) const;
 	void findCoupledRows(const JointRows& rows);
+	void findBranches();
 	void couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a, JointRows& rows);
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
 	void mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
@@ -102,7 +124,7 @@ private:
 	};
 
 	void findResponse(const Motion& motion, btScalar diagonal);
-	double rateShareInStep(int fibre, double rate, const JointModel::FibreStrength& strength) const;
+	double rateShareInStep(int fibre, double force, double rate, const JointModel::FibreStrength& strength) const;
 	Strength strengthInStep(int fibre, const DofState& s, const Motion& motion) const;
 	bool isOpen(int fibre) const
 	{
@@ -110,12 +132,19 @@ private:
 			   (m_strength[fibre].m_tension == 0 || m_model.m_state.m_fibres[fibre].m_isCracked);
 	}
 	void flow(int fibre, double force, double increment, Outcome& outcome);
+	void damp(Outcome& outcome);
+	void dampTogether(Outcome& outcome);
+	void dampEach(Outcome& outcome);
 	void takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
 	void tearApart(Outcome& outcome);
 	void noteLoss(int fibre, double share);
 	void takeMean(btScalar mean[3]);
 
 	JointModel& m_model;
+	const MaterialDamping& m_damping;
+	SectionCompliance m_compliance;                    ///< of what bears at the start of the step
+	SectionPlane m_branch[MaterialDamping::BRANCHES];  ///< in which the damping's branches have their forces then
+	btAlignedObjectArray<Damped> m_damped;
 	btScalar m_dt = 0;
 	int m_shearRow[2] = {-1, -1};  ///< of the joint's rows that are coupled with the fibres, -1: none
 	btAlignedObjectArray<JointRows::Fibre> m_rows;

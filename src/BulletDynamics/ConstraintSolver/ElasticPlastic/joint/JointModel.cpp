@@ -191,6 +191,12 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 	if (!btElasticPlasticIsFinite(state.m_dampingEnergy) || state.m_dampingEnergy < 0)
 		return btElasticPlasticFault("the state's damping energy [J]", btScalar(state.m_dampingEnergy),
 									 "finite and not negative");
+	if (!(state.m_plasticOwed >= 0 && state.m_plasticOwed <= state.m_plasticEnergy))
+		return btElasticPlasticFault("what is owed for the state's plastic energy [J]", btScalar(state.m_plasticOwed),
+									 "between 0 and the plastic energy");
+	if (!(state.m_dampingOwed >= 0 && state.m_dampingOwed <= state.m_dampingEnergy))
+		return btElasticPlasticFault("what is owed for the state's damping energy [J]", btScalar(state.m_dampingOwed),
+									 "between 0 and the damping energy");
 	const btElasticPlasticFault fault = btElasticPlasticCheckNotNegative("the state's last step [s]", state.m_lastStep);
 	return fault ? fault : btElasticPlasticCheckNotNegative("the state's withheld step [s]", state.m_withheldStep);
 }
@@ -354,6 +360,34 @@ JointModel::FibreStrength JointModel::strengthOf(int fibre, btScalar morePath) c
 	return strength;
 }
 
+SectionCompliance JointModel::bearingCompliance() const
+{
+	SectionStiffness section;
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+		if (bears(i))
+			section.add(m_capacity.m_fibres[i], double(m_capacity.m_fibres[i].m_stiffness));
+	return section.invert();
+}
+
+SectionPlane JointModel::branchPlane() const
+{
+	SectionPlane sum;
+	if (!(m_capacity.m_damping > 0))
+		return sum;
+	const SectionCompliance section = bearingCompliance();
+	for (int b = 0; b < btElasticPlasticState::BRANCHES; ++b)
+		sum.add(1, section.of(branchForces(b)));
+	return sum;
+}
+
+/// A fibre's force with what the damping adds: by its share of the section's that may be somewhat more than its strength while others flow.
+btScalar JointModel::forceOf(int fibre, const SectionPlane& branches) const
+{
+	const btElasticPlasticFibre& own = m_capacity.m_fibres[fibre];
+	const btScalar force = m_state.m_fibres[fibre].m_force;
+	return bears(fibre) ? force + btScalar(branches.at(own) * double(own.m_stiffness)) : force;
+}
+
 void JointModel::followFibres()
 {
 	const int dofs[3] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};
@@ -397,14 +431,15 @@ btElasticPlasticFibreReading JointModel::readFibre(int fibre) const
 	const btElasticPlasticFibre& own = m_capacity.m_fibres[fibre];
 	const btElasticPlasticFibreState& state = m_state.m_fibres[fibre];
 	const FibreStrength strength = strengthOf(fibre);
-	const btScalar most = (state.m_force > 0 ? strength.m_tension : strength.m_compression) * (1 + state.m_rateShare);
+	const btScalar force = forceOf(fibre, branchPlane()),
+				   most = (force > 0 ? strength.m_tension : strength.m_compression) * (1 + state.m_rateShare);
 	const btScalar* const plastic = m_state.m_plastic;
-	reading.m_force = state.m_force;
+	reading.m_force = force;
 	reading.m_elongation = plastic[BT_EP_AXIAL] + m_state.m_fibreStrain[0] +
 						   own.m_z * (plastic[BT_EP_BENDING_Y] + m_state.m_fibreStrain[1]) -
 						   own.m_y * (plastic[BT_EP_BENDING_Z] + m_state.m_fibreStrain[2]);
 	reading.m_plastic = reading.m_elongation - elasticElongation(m_capacity, fibre);
-	reading.m_utilisation = state.m_force != 0 && most > 0 ? btFabs(state.m_force) / most : btScalar(0);
+	reading.m_utilisation = force != 0 && most > 0 ? btMin(btFabs(force) / most, btScalar(1)) : btScalar(0);
 	reading.m_damage = btMin(state.m_damage, btScalar(1));
 	reading.m_isCracked = state.m_isCracked;
 	return reading;
@@ -445,17 +480,19 @@ btScalar JointModel::fibreDamage() const
 
 btScalar JointModel::fibreUtilisation() const
 {
-	btScalar force = 0, strength = 0;
+	btScalar sum = 0, strength = 0;
+	const SectionPlane branches = usesFibres() ? branchPlane() : SectionPlane();
 	for (int i = 0; i < m_state.m_fibres.size() && usesFibres(); ++i)
 	{
 		const btElasticPlasticFibreState& state = m_state.m_fibres[i];
 		if (state.isRuptured())
 			continue;
 		const FibreStrength own = strengthOf(i);
-		force += btFabs(state.m_force);
-		strength += (state.m_force > 0 ? own.m_tension : own.m_compression) * (1 + state.m_rateShare);
+		const btScalar force = forceOf(i, branches);
+		sum += btFabs(force);
+		strength += (force > 0 ? own.m_tension : own.m_compression) * (1 + state.m_rateShare);
 	}
-	return strength > 0 ? force / strength : btScalar(0);
+	return strength > 0 ? btMin(sum / strength, btScalar(1)) : btScalar(0);
 }
 
 double JointModel::elasticEnergy() const
@@ -474,7 +511,7 @@ double JointModel::springEnergy() const
 	{
 		if (!(areFibres && isOfFibres(i)))
 			energy += 0.5 * double(m_state.m_force[i]) * double(elasticDeformation(i));
-		for (int b = 0; b < MaterialDamping::BRANCHES && !damping.isNone(); ++b)
+		for (int b = 0; b < MaterialDamping::BRANCHES && !damping.isNone() && !(areFibres && isOfFibres(i)); ++b)
 			energy += 0.5 * double(m_state.m_branch[b][i]) *
 					  double(elasticDeformation(m_capacity, m_state.m_branch[b], i)) / double(damping.getGain(b));
 	}
@@ -484,9 +521,23 @@ double JointModel::springEnergy() const
 		energy += 0.5 * double(m_state.m_fibres[i].m_force) * double(m_state.m_fibres[i].m_force) /
 				  double(m_capacity.m_fibres[i].m_stiffness);
 	// The shears' deformation has a half of what they and the bendings have between them.
-	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && m_state.m_solvedExactly; ++i)
-		energy += 0.5 * double(m_state.m_force[i]) * double(m_capacity.couplingCompliance(i)) *
-				  double(m_state.m_force[btElasticPlasticCapacity::coupledWith(i)]);
+	const auto between = [&](const btScalar force[BT_EP_DOF_COUNT])
+	{
+		double sum = 0;
+		for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && m_state.m_solvedExactly; ++i)
+			sum += 0.5 * double(force[i]) * double(m_capacity.couplingCompliance(i)) *
+				   double(force[btElasticPlasticCapacity::coupledWith(i)]);
+		return sum;
+	};
+	energy += between(m_state.m_force);
+	if (damping.isNone())
+		return energy;
+	const SectionCompliance section = bearingCompliance();
+	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
+	{
+		const SectionForces forces = branchForces(b);
+		energy += (forces.along(section.of(forces)) / 2 + between(m_state.m_branch[b])) / double(damping.getGain(b));
+	}
 	return energy;
 }
 

@@ -8,6 +8,7 @@
 #include "../../btElasticPlasticState.h"
 #include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
 #include "Kinematics.h"
+#include "SectionStiffness.h"
 
 namespace btElasticPlastic
 {
@@ -123,6 +124,32 @@ struct JointModel
 	};
 	FibreStrength strengthOf(int fibre, btScalar morePath = 0) const;
 
+	/// Whether a fibre opens without a force.
+	bool bearsPressureOnly(int fibre) const
+	{
+		return m_capacity.m_fibres[fibre].m_tension == 0 || m_state.m_fibres[fibre].m_isCracked;
+	}
+
+	/// Whether a fibre has a part in what the section bears: neither ruptured nor open.
+	bool bears(int fibre) const
+	{
+		const btElasticPlasticFibreState& state = m_state.m_fibres[fibre];
+		return !state.isRuptured() && !(state.m_force >= 0 && bearsPressureOnly(fibre));
+	}
+
+	/// Of the fibres that bear.
+	SectionCompliance bearingCompliance() const;
+
+	/// What one of the damping's branches adds to the section.
+	SectionForces branchForces(int branch) const
+	{
+		const btScalar* const q = m_state.m_branch[branch];
+		return {double(q[BT_EP_AXIAL]), double(q[BT_EP_BENDING_Y]), double(q[BT_EP_BENDING_Z])};
+	}
+
+	/// That of all the damping's branches together, under which they have their forces.
+	SectionPlane branchPlane() const;
+
 	/// Sets the fibres' state from the joint's forces, where a solver has not known them.
 	void followFibres();
 
@@ -138,6 +165,7 @@ private:
 	void keepForce(const btElasticPlasticCapacity& before);
 	void takeFibres(const btElasticPlasticCapacity& before);
 	btScalar elasticElongation(const btElasticPlasticCapacity& capacity, int fibre) const;
+	btScalar forceOf(int fibre, const SectionPlane& branches) const;
 	bool isOfFibres(int dof) const { return btElasticPlasticCapacity::isOfFibres(dof) && usesFibres(); }
 	bool hasFibreStrain(const btElasticPlasticCapacity& capacity, int dof) const
 	{

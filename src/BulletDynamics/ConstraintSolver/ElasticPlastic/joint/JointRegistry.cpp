@@ -244,7 +244,7 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 	m_joints.closeGaps();
 	m_broken.closeGaps();
 	applyMotions(world);
-	limitEnergy();
+	limitEnergy(world);
 	commitJoints(world);
 	m_ledger.book();
 	removeBrokenFromWorld(world);
@@ -307,26 +307,32 @@ const BodyMotion* JointRegistry::findMotion(const btRigidBody& body) const
 	return index ? &m_motions[size_t(*index)] : nullptr;
 }
 
-namespace
-{
 /// Whether a joint's constraint is in the world. One that has left it may have bodies that are deleted. The place in the world's list
-/// is kept: it hardly ever changes.
-bool isInWorld(const btDynamicsWorld& world, JointWorks& joint)
+/// is kept: it hardly ever changes, and joints mostly stand there in the registry's order.
+bool JointRegistry::isInWorld(const btDynamicsWorld& world, JointWorks& joint)
 {
-	int& index = joint.m_entry.m_worldIndex;
 	const btTypedConstraint* const constraint = &joint.m_model.m_constraint;
-	if (joint.wasInStep() && index < 0)
-		index = 0;
-	if (index < 0 || (index < world.getNumConstraints() && world.getConstraint(index) == constraint))
-		return index >= 0;
-	for (index = world.getNumConstraints() - 1; index >= 0 && world.getConstraint(index) != constraint;)
+	const auto isAt = [&](int place)
+	{ return place >= 0 && place < world.getNumConstraints() && world.getConstraint(place) == constraint; };
+	int& index = joint.m_entry.m_worldIndex;
+	const bool isNew = index < 0 && (joint.isInStep() || joint.wasInStep());
+	if (!isAt(index) && (index >= 0 || isNew))
+		index = isAt(m_nextWorldIndex) ? m_nextWorldIndex : world.getNumConstraints() - 1;
+	while (index >= 0 && !isAt(index))
 		--index;
+	m_nextWorldIndex = index + 1;
 	return index >= 0;
 }
-}  // namespace
+
+/// Another action may have taken a joint out of the world within the step, and deleted its bodies.
+void JointRegistry::leaveIfGone(const btDynamicsWorld& world, JointWorks& joint)
+{
+	if (joint.isInStep() && !isInWorld(world, joint))
+		joint.leaveStep();
+}
 
 /// To be asked after the joint's commit. Of sleeping joints those are looked at that stand on something.
-bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint) const
+bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint)
 {
 	if (!(m_wakingShare < btElasticPlasticCapacity::unlimited()))
 		return false;
@@ -335,7 +341,7 @@ bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joi
 }
 
 /// Keeps joints from giving more than they have where a solver's iterations have ended before the solution.
-void JointRegistry::limitEnergy()
+void JointRegistry::limitEnergy(const btDynamicsWorld& world)
 {
 	m_ledger.begin();
 	if (!m_hasUnsure.exchange(false, std::memory_order_relaxed))
@@ -343,6 +349,7 @@ void JointRegistry::limitEnergy()
 	for (int i = 0; i < m_joints.getEnd(); ++i)
 	{
 		JointWorks& joint = *m_joints[i].m_joint;
+		leaveIfGone(world, joint);
 		joint.takeFeedback();
 		if (joint.m_step.isUnsure())
 			m_ledger.add(joint);
@@ -360,6 +367,7 @@ void JointRegistry::commitJoints(const btDynamicsWorld& world)
 			prefetch(*m_joints[i + PREFETCH_AHEAD].m_joint);
 		JointWorks& joint = *m_joints[i].m_joint;
 		const bool wasInStep = joint.wasInStep();
+		leaveIfGone(world, joint);
 		const int outcome = joint.commit();
 		if (wasInStep && !joint.wasInStep())
 			m_leftOut.push_back(&joint);
@@ -372,10 +380,9 @@ void JointRegistry::commitJoints(const btDynamicsWorld& world)
 		if (joint.m_step.getLosses().size() > 0)
 			reportLosses(joint);
 		if (outcome & JointStep::BROKE)
-		{
 			report(BT_EP_EVENT_BREAK, joint);
+		if (joint.m_model.m_state.m_broken)
 			moveToBroken(joint);
-		}
 	}
 }
 
@@ -405,7 +412,12 @@ bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 		return true;
 	btRigidBody &a = constraint.getRigidBodyA(), &b = constraint.getRigidBodyB();
 	const bool kept = keepsFromColliding(constraint);
+	const int place = isInWorld(world, joint) ? joint.m_entry.m_worldIndex : world.getNumConstraints();
 	world.removeConstraint(&constraint);
+	// Bullet has put the last one there.
+	if (JointWorks* const moved =
+			place < world.getNumConstraints() ? JointWorks::from(world.getConstraint(place)) : nullptr)
+		moved->m_entry.m_worldIndex = place;
 	if (kept && joint.m_separation.begin(world, constraint))
 	{
 		m_token.enter(world);

@@ -137,9 +137,11 @@ private:
 
 	bool isBroken(const JointWorks& joint);
 	void removeJointsOf(const btRigidBody& body, List& list);
-	void limitEnergy();
+	void limitEnergy(const btDynamicsWorld& world);
 	void commitJoints(const btDynamicsWorld& world);
-	bool hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint) const;
+	bool isInWorld(const btDynamicsWorld& world, JointWorks& joint);
+	void leaveIfGone(const btDynamicsWorld& world, JointWorks& joint);
+	bool hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint);
 	void wakeNeighbours(btDynamicsWorld& world, btRigidBody& body);
 	void tellLeftOut(const btDynamicsWorld& world);
 	void removeBrokenFromWorld(btDynamicsWorld& world);
@@ -180,7 +182,8 @@ private:
 	bool* m_isDeleted = nullptr;              ///< set by the destructor while events are delivered
 	btElasticPlasticEvent* m_told = nullptr;  ///< the event that listeners are being told
 	bool m_isStepTold = false;                ///< whether the listener was told of a bad step
-	bool m_hasNew = false;                    ///< whether joints have been added since the last substep
+	int m_nextWorldIndex = 0;  ///< where the joint after the one last looked for may stand in the world's list
+	bool m_hasNew = false;     ///< whether joints have been added since the last substep
 };
 }  // namespace btElasticPlastic
 

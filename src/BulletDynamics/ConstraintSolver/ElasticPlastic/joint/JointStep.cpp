@@ -77,7 +77,8 @@ bool JointStep::evaluate(btScalar dt)
 	}
 	btScalar velocity[BT_EP_DOF_COUNT];
 	projectVelocities(velocity);
-	m_spin0 = m_model.bodyA().getAngularVelocity() - m_model.bodyB().getAngularVelocity();
+	m_spin0[0] = m_model.bodyA().getAngularVelocity();
+	m_spin0[1] = m_model.bodyB().getAngularVelocity();
 	m_dampingImpulse.setZero();
 	m_hasRecovery = m_isCut = m_isWorkKnown = false;
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
@@ -87,8 +88,7 @@ bool JointStep::evaluate(btScalar dt)
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
-	// Fibres are not damped, and neither are they by solvers that do not know them.
-	const btScalar damping = m_model.usesFibres() ? btScalar(0) : m_model.m_capacity.m_damping;
+	const btScalar damping = m_model.m_capacity.m_damping;
 	if (!m_damping.isFor(damping, dt))
 		m_damping = MaterialDamping(damping, dt);
 	takeBackKinematicMotion();
@@ -132,13 +132,7 @@ DofState JointStep::dofState(int dof) const
 				  state.m_force[dof],
 				  state.m_forceRate[dof],
 				  {state.m_applied[dof], state.m_appliedBefore[dof]}};
-	if (!m_damping.isNone())
-	{
-		for (const btScalar* branch : state.m_branch)
-			s.m_force += branch[dof];
-		s.m_stiffening = m_damping.getStiffening();
-		s.m_carried = m_damping.carried(state.m_branch, dof, state.m_force[dof]);
-	}
+	m_damping.addTo(s, state.m_branch, dof);
 	return s;
 }
 
@@ -378,7 +372,7 @@ btScalar JointStep::shareUntilBreak(const ReturnMapping mapped[]) const
 /// \param spin1      the relative angular velocity then
 double JointStep::twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const
 {
-	double work = double(m_dampingImpulse.dot(m_spin0 + spin1));
+	double work = double(m_dampingImpulse.dot(m_spin0[0] - m_spin0[1] + spin1));
 	for (int r = 0; r < m_numRows; ++r)
 		work += double(m_row[r].m_impulse) * (double(m_row[r].m_velocity0) + double(velocity1[m_row[r].m_dof]));
 	return work;
@@ -470,16 +464,18 @@ btScalar JointStep::deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) co
 
 /// Ends the step of the branches by which the material damps, and books what they have dissipated.
 /// \param change  of the springs' forces in the step
-void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT])
+/// \param fibres  what has become of theirs, of a joint whose fibres are in the step
+void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres)
 {
 	btElasticPlasticState& state = m_model.m_state;
-	if (m_damping.isNone() || m_row[0].m_isForStock || m_model.m_isPaper)
+	if (m_damping.isNone() || m_model.m_isPaper || (!m_usesFibres && m_row[0].m_isForStock))
 	{
 		for (auto& branch : state.m_branch)
 			for (btScalar& q : branch)
 				q = 0;
 		return;
 	}
+	state.m_dampingEnergy += fibres.m_lost;
 	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
 	{
 		btScalar *const q = state.m_branch[b], before[BT_EP_DOF_COUNT], sum[BT_EP_DOF_COUNT];
@@ -487,14 +483,29 @@ void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT])
 		{
 			before[i] = q[i];
 			q[i] = m_model.m_capacity.isRigidPlastic(i) ? btScalar(0) : m_damping.next(b, q[i], change[i]);
+			if (m_usesFibres && btElasticPlasticCapacity::isOfFibres(i))
+				q[i] = btScalar(i == BT_EP_AXIAL       ? fibres.m_branch[b].m_axial
+								: i == BT_EP_BENDING_Y ? fibres.m_branch[b].m_momentY
+													   : fibres.m_branch[b].m_momentZ);
 			sum[i] = before[i] + q[i];
 			state.m_forceRate[i] += (q[i] - before[i]) / m_dt;
 		}
 		double squares = 0;  // q0^2 + q0 q1 + q1^2, over k
-		for (int r = 0; r < m_numRows; ++r)
+		for (int r = 0, numPlain = getNumPlainRows(); r < numPlain; ++r)
 			if (!m_model.m_capacity.isRigidPlastic(m_row[r].m_dof))
 				squares += double(before[m_row[r].m_dof]) * double(deformation(r, sum)) +
 						   double(q[m_row[r].m_dof]) * double(deformation(r, q));
+		if (m_usesFibres)
+		{
+			squares += fibres.m_squares[b];
+			for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && fibres.m_isCoupled; ++i)
+			{
+				const int bending = btElasticPlasticCapacity::coupledWith(i);
+				squares += double(m_model.m_capacity.couplingCompliance(i)) *
+						   (double(before[i]) * double(sum[bending]) + double(before[bending]) * double(sum[i]) +
+							2 * double(q[i]) * double(q[bending]));
+			}
+		}
 		if (squares > 0)
 			state.m_dampingEnergy += squares * double(m_damping.getLoss(b)) / 3;
 	}
@@ -599,11 +610,12 @@ int JointStep::commit()
 	const int numPlain = getNumPlainRows();
 	for (int r = 0; r < numPlain; ++r)
 		mappedRows[r] = isCut ? mapCut(r) : returnMap(r);
+	FibreStep::Outcome fibres;
 	if (m_usesFibres)
 	{
-		const FibreStep::Outcome outcome = commitFibres(mappedRows);
-		state.m_plasticEnergy += outcome.m_plasticEnergy;
-		flowed = outcome.m_flowed;
+		fibres = commitFibres(mappedRows);
+		state.m_plasticEnergy += fibres.m_plasticEnergy;
+		flowed = fibres.m_flowed;
 	}
 	else if (isCut)
 		limitFlow(work - state.m_work, mappedRows);
@@ -630,13 +642,14 @@ int JointStep::commit()
 		state.m_plasticEnergy += force * fabs(double(increment[i]));
 		flowed = true;
 	}
-	damp(change);
+	damp(change, fibres);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		state.m_withheld[i] = m_withheld[i];
 	state.m_withheldStep = m_withheldStep;
 	state.m_lastStep = m_dt;
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
 	state.m_work = work;
+	state.m_plasticOwed = state.m_dampingOwed = 0;
 	revert();
 	m_model.moveReference(unloaded);
 	if (!m_usesFibres && m_model.usesFibres())

@@ -18,7 +18,7 @@ namespace btElasticPlastic
 class JointStep
 {
 public:
-	explicit JointStep(JointModel& model) : m_model(model), m_fibres(model) {}
+	explicit JointStep(JointModel& model) : m_model(model), m_fibres(model, m_damping) {}
 
 	// ---- pose and step -> rows
 
@@ -108,6 +108,9 @@ public:
 	/// What the step's impulses give to the bodies [J].
 	double measureWork() const;
 
+	/// Angular velocity of a body with which the step began [rad/s].
+	const btVector3& getSpinBefore(int side) const { return m_spin0[side]; }
+
 	/// What the joint is to count as given [J].
 	void setWork(double given)
 	{
@@ -147,11 +150,11 @@ public:
 	const signed char* getLastBounds() const { return m_lastBound; }
 	void setLastBound(int dof, signed char bound) { m_lastBound[dof] = bound; }
 
-	/// The same of the fibres, in the capacity's order.
 	/// Fibres that have cracked or ruptured since they were forgotten, see FibreStep.
 	const btAlignedObjectArray<FibreStep::Loss>& getLosses() const { return m_fibres.getLosses(); }
 	void forgetLosses() { m_fibres.forgetLosses(); }
 
+	/// As getLastBounds(), of the fibres in the capacity's order.
 	std::vector<signed char> getLastFibreBounds() const { return m_fibres.getLastBounds(); }
 	void setLastFibreBounds(const std::vector<signed char>& bounds) { m_fibres.setLastBounds(bounds); }
 
@@ -192,7 +195,7 @@ private:
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}
 	btScalar deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) const;
-	void damp(const btScalar change[BT_EP_DOF_COUNT]);
+	void damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres);
 	double strainEnergy(const Kinematics& k) const;
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
@@ -207,7 +210,7 @@ private:
 	bool m_hasRecovery = false, m_isCut = false, m_usesFibres = false, m_isWorkKnown = false;
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
-	btVector3 m_spin0;  ///< relative angular velocity of A to B at the start of the step
+	btVector3 m_spin0[2];  ///< of A and of B at the start of the step [rad/s]
 	MaterialDamping m_damping;
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];

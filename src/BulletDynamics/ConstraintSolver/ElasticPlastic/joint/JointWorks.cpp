@@ -341,6 +341,13 @@ void JointWorks::takeFeedback()
 		m_feedback.decode(m_model.m_constraint, m_step);
 }
 
+void JointWorks::leaveStep()
+{
+	m_step.forget();
+	m_isCommittedInside = false;
+	m_outcome = 0;
+}
+
 int JointWorks::commit()
 {
 	const int inside = m_outcome;

@@ -109,6 +109,12 @@ public:
 	/// Ends the step. \return JointStep::Outcome
 	int commit();
 
+	/// Whether the joint has a part in the step that commit() is to end.
+	bool isInStep() const { return m_isCommittedInside || m_step.getNumRows() > 0; }
+
+	/// Forgets that step: the joint's bodies may be deleted.
+	void leaveStep();
+
 	/// Whether the last commit ended a step that the joint had a part in.
 	bool wasInStep() const { return m_step.getNumCommittedRows() > 0; }
 

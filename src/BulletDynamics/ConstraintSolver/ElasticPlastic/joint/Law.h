@@ -51,7 +51,8 @@ struct DofState
 	btScalar withinYield(btScalar force) const { return btMax(-m_yield, btMin(m_yield, force)); }
 
 	/// f* of an elastic deformation that no other is coupled with.
-	btScalar forceAt(btScalar strain) const { return (1 + m_stiffening) * m_stiffness * strain + m_carried; }
+	/// (The stiffness may be the largest number there is.)
+	btScalar forceAt(btScalar strain) const { return m_stiffness * strain * (1 + m_stiffening) + m_carried; }
 
 	/// The part k e of f*.
 	btScalar springForce(btScalar force) const { return (force - m_carried) / (1 + m_stiffening); }

@@ -6,6 +6,7 @@
 
 #include "../../btElasticPlasticDof.h"
 #include "../../btElasticPlasticState.h"
+#include "Law.h"
 #include "LinearMath/btMinMax.h"
 #include "LinearMath/btScalar.h"
 
@@ -78,6 +79,21 @@ public:
 			sum += m_branch[i].m_kept * q[i][dof];
 		return sum;
 	}
+
+	/// Adds the branches of a degree of freedom to its spring.
+	void addTo(DofState& s, const btScalar q[BRANCHES][BT_EP_DOF_COUNT], int dof) const
+	{
+		if (isNone())
+			return;
+		s.m_stiffening = m_stiffening;
+		s.m_carried = carried(q, dof, s.m_force);
+		for (int i = 0; i < BRANCHES; ++i)
+			s.m_force += q[i][dof];
+	}
+
+	/// r and p g of the i-th branch.
+	btScalar getKept(int i) const { return m_branch[i].m_kept; }
+	btScalar getTaken(int i) const { return m_branch[i].m_taken; }
 
 	/// The i-th branch's force at the end of the step.
 	/// \param change  of the spring's force

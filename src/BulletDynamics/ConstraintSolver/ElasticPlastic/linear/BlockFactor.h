@@ -25,7 +25,8 @@ class BlockMatrix;
 /// frame of 7000 bodies, 12 for a wall of 5000.
 ///
 /// The factor is repeatable: the same matrix on the same processor gives the same bits, whether factorised at once or in parts.
-/// Processors with vectors of different widths differ by rounding errors; setMaxVectorWidth(2) makes x86-64 processors agree.
+/// Vectors of all widths give the same bits where products are added without being rounded, on processors with AVX2 and FMA;
+/// setMaxVectorWidth(1) makes all x86-64 processors agree.
 /// Different objects may be used by different threads at the same time, one object by one thread only.
 class BlockFactor
 {

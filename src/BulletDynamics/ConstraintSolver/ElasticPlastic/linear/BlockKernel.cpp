@@ -35,43 +35,60 @@ const double Huge = DBL_MAX;
 /// A pivot below this share of the matrix' diagonal consists of rounding errors only.
 const double LeastPivot = 4 * DBL_EPSILON;
 
+const int SumWidth = 4;
+
 // The kernels for every machine.
-namespace Baseline
+namespace Plain
 {
+#define BT_KERNEL
 #if defined(__GNUC__)
-typedef double Vector __attribute__((vector_size(16)));
-const int Width = 2;
-inline Vector broadcast(double a) { return Vector{a, a}; }
-inline double total(Vector a) { return a[0] + a[1]; }
+#include "NarrowVector.inl"
 #else
 typedef double Vector;
 const int Width = 1;
 inline Vector broadcast(double a) { return a; }
-inline double total(Vector a) { return a; }
-#endif
-inline Vector load(const double* p)
-{
-	Vector a;
-	memcpy(&a, p, sizeof a);
-	return a;
-}
-inline void store(double* p, Vector a) { memcpy(p, &a, sizeof a); }
-inline void storePart(double* p, Vector a, int) { store(p, a); }
+inline Vector load(const double* p) { return *p; }
+inline void store(double* p, Vector a) { *p = a; }
+inline void storePart(double* p, Vector a, int) { *p = a; }
 const int TileRows = 3, TileColumns = 3;
-#define BT_KERNEL
+struct Sum
+{
+	double m_element[SumWidth];
+};
+inline void clear(Sum& sum) { sum = Sum(); }
+inline void addProducts(Sum& sum, const double* a, const double* b)
+{
+	for (int i = 0; i < SumWidth; ++i)
+		sum.m_element[i] += a[i] * b[i];
+}
+inline double total(const Sum& sum)
+{
+	return (sum.m_element[0] + sum.m_element[1]) + (sum.m_element[2] + sum.m_element[3]);
+}
+#endif
+#include "BlockKernel.inl"
+#undef BT_KERNEL
+const BlockKernel Kernel = {factorise, solve, 1};
+}  // namespace Plain
+
+#ifdef BT_KERNEL_X86
+// From here on products are added without being rounded, which every processor with AVX2 can. All of these kernels add in the same
+// order, and give the same bits.
+namespace Fused
+{
+#define BT_KERNEL __attribute__((target("fma")))
+#include "NarrowVector.inl"
 #include "BlockKernel.inl"
 #undef BT_KERNEL
 const BlockKernel Kernel = {factorise, solve, Width};
-}  // namespace Baseline
+}  // namespace Fused
 
-#ifdef BT_KERNEL_X86
 namespace Avx2
 {
 #define BT_KERNEL __attribute__((target("avx2,fma")))
 typedef __m256d Vector;
 const int Width = 4;
 BT_KERNEL inline Vector broadcast(double a) { return _mm256_set1_pd(a); }
-BT_KERNEL inline double total(Vector a) { return (a[0] + a[1]) + (a[2] + a[3]); }
 BT_KERNEL inline Vector load(const double* p) { return _mm256_loadu_pd(p); }
 BT_KERNEL inline void store(double* p, Vector a) { _mm256_storeu_pd(p, a); }
 BT_KERNEL inline void storePart(double* p, Vector a, int n)
@@ -82,6 +99,7 @@ BT_KERNEL inline void storePart(double* p, Vector a, int n)
 		store(p, a);
 }
 const int TileRows = 2, TileColumns = 6;
+#include "WideSum.inl"
 #include "BlockKernel.inl"
 #undef BT_KERNEL
 const BlockKernel Kernel = {factorise, solve, Width};
@@ -93,7 +111,6 @@ namespace Avx512
 typedef __m512d Vector;
 const int Width = 8;
 BT_KERNEL inline Vector broadcast(double a) { return _mm512_set1_pd(a); }
-BT_KERNEL inline double total(Vector a) { return ((a[0] + a[1]) + (a[2] + a[3])) + ((a[4] + a[5]) + (a[6] + a[7])); }
 BT_KERNEL inline Vector load(const double* p) { return _mm512_loadu_pd(p); }
 BT_KERNEL inline void store(double* p, Vector a) { _mm512_storeu_pd(p, a); }
 BT_KERNEL inline void storePart(double* p, Vector a, int n)
@@ -101,6 +118,7 @@ BT_KERNEL inline void storePart(double* p, Vector a, int n)
 	_mm512_mask_storeu_pd(p, (unsigned char)((1u << n) - 1), a);
 }
 const int TileRows = 4, TileColumns = 6;
+#include "WideSum.inl"
 #include "BlockKernel.inl"
 #undef BT_KERNEL
 const BlockKernel Kernel = {factorise, solve, Width};
@@ -115,8 +133,10 @@ const BlockKernel& BlockKernel::select(int maxWidth)
 		return Avx512::Kernel;
 	if (maxWidth >= Avx2::Width && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
 		return Avx2::Kernel;
+	if (maxWidth >= Fused::Width && __builtin_cpu_supports("fma"))
+		return Fused::Kernel;
 #endif
 	(void)maxWidth;
-	return Baseline::Kernel;
+	return Plain::Kernel;
 }
 }  // namespace btElasticPlastic

@@ -82,7 +82,7 @@ struct BlockKernel
 	void (*m_solve)(const BlockStructure& s, const double* values, const double* inverse, double* x,
 					double* work);
 
-	int m_width;  ///< doubles in a vector
+	int m_width;  ///< doubles in a vector with fused products; 1: plain ones
 
 	/// The widest kernel, up to a width, that this processor can run.
 	static const BlockKernel& select(int maxWidth);

@@ -6,7 +6,7 @@
 //   load, store      at any address
 //   storePart        the first n of its elements, n even
 //   broadcast        a number into all elements
-//   total            the sum of all elements, always in the same order
+//   Sum              four sums of products, in a known order whatever the width, with clear, addProducts (of four doubles) and total
 //   TileRows         vectors, and TileColumns: what the registers hold best; measured
 // and with BT_KERNEL, the attributes of its functions. BT_UNROLL is put before loops that run over registers. Vectors are read
 // beyond the last row of a panel, where values are finite and not used, but never written there.
@@ -349,20 +349,20 @@ BT_KERNEL inline void solvePanelTransposed(const BlockPanel& panel, const int* b
 	for (int b = columns; b < rows; b += 6, ++below)
 		memcpy(work + b, x + 6 * size_t(*below), 6 * sizeof(double));
 	// Zeros behind the last row: what is read there must not count.
-	store(work + rows, broadcast(0));
+	for (int r = rows; r < rows + SumWidth; r += Width)
+		store(work + r, broadcast(0));
 	l += (columns - 6) * (size_t(rows) + 1);
 	for (int c = columns - 6; c >= 0; c -= 6, l -= 6 * size_t(rows) + 6)
 	{
-		Vector sum[6];
+		Sum sum[6];
 		BT_UNROLL(6)
 		for (int k = 0; k < 6; ++k)
-			sum[k] = broadcast(0);
-		for (int r = 6; r < rows - c; r += Width)
+			clear(sum[k]);
+		for (int r = 6; r < rows - c; r += SumWidth)
 		{
-			const Vector known = load(work + c + r);
 			BT_UNROLL(6)
 			for (int k = 0; k < 6; ++k)
-				sum[k] += load(l + k * size_t(rows) + r) * known;
+				addProducts(sum[k], l + k * size_t(rows) + r, work + c + r);
 		}
 		double y[6];
 		BT_UNROLL(6)

@@ -132,6 +132,12 @@ double principalTurn(const Region::Moments& centred)
 	return atan2(product, difference) / 2;
 }
 
+double nearestPrincipalTurn(const Region::Moments& centred)
+{
+	const double turn = principalTurn(centred), eighth = atan2(1., 1.);
+	return fabs(turn) > eighth * (1 + 1e-6) ? turn - (turn > 0 ? 2 : -2) * eighth : turn;
+}
+
 double areaOf(const Region::Outline& outline)
 {
 	Region alone;

@@ -50,6 +50,9 @@ public:
 /// How far along y^2's largest second moment is turned from y, -pi/2 to pi/2.
 double principalTurn(const Region::Moments& centred);
 
+/// That, or the other principal axis if it is nearer to y.
+double nearestPrincipalTurn(const Region::Moments& centred);
+
 double areaOf(const Region::Outline& outline);  ///< negative if it runs the other way round
 double distanceTo(const Region::Outline& outline, const Region::Point& point);
 bool isInside(const Region::Outline& outline, const Region::Point& point);

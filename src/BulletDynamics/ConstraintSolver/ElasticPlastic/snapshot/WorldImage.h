@@ -81,6 +81,8 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	{
 		archive(state.m_storedEnergy);
 		archive(state.m_placeEnergy);
+		archive(state.m_plasticOwed);
+		archive(state.m_dampingOwed);
 	}
 	archive(state.m_plasticEnergy);
 	archive(state.m_dampingEnergy);
@@ -183,8 +185,9 @@ void transfer(Archive& archive, MotionImage& image)
 	archive(image.m_inner.m_steps);
 	for (btVector3* vector : {&image.m_inner.m_way, &image.m_inner.m_turn, &image.m_inner.m_pushed})
 		transfer(archive, *vector);
-	archive(image.m_inner.m_work);
-	archive(image.m_inner.m_shift);
+	for (double* energy : {&image.m_inner.m_work, &image.m_inner.m_shift, &image.m_inner.m_contacts,
+						   &image.m_inner.m_friction, &image.m_inner.m_turning})
+		archive(*energy);
 	archive(image.m_isTouched);
 }
 

@@ -3,6 +3,7 @@
 
 #include "IslandState.h"
 
+#include "../joint/BodyEnergy.h"
 #include "../joint/BodyGate.h"
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
@@ -261,6 +262,29 @@ void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
 	}
 }
 
+/// What a contact's impulses have given to its bodies, impulse times mean velocity.
+void IslandState::bookWork(const Point& point)
+{
+	const btManifoldPoint& p = *point.m_point;
+	const btVector3 normal = p.m_normalWorldOnB * p.m_appliedImpulse,
+					friction = p.m_lateralFrictionDir1 * p.m_appliedImpulseLateral1 +
+							   p.m_lateralFrictionDir2 * p.m_appliedImpulseLateral2;
+	const btVector3 places[2] = {p.m_positionWorldOnA, p.m_positionWorldOnB};
+	for (int side = 0; side < 2; ++side)
+	{
+		if (point.m_bodies[side] < 0)
+			continue;
+		Body& before = m_bodies[point.m_bodies[side]];
+		const btRigidBody& body = *before.m_body;
+		const btVector3 mean = (before.m_velocity + body.getLinearVelocity()) * body.getLinearFactor() / 2,
+						spin = (before.m_spin + body.getAngularVelocity()) * body.getAngularFactor() / 2;
+		const btVector3 arm = places[side] - before.m_place, way = mean + spin.cross(arm);
+		const double sign = side == 0 ? 1 : -1;
+		before.m_inner.m_contacts += sign * double(normal.dot(way));
+		before.m_inner.m_friction += sign * double(friction.dot(way));
+	}
+}
+
 void IslandState::move(btScalar h)
 {
 	for (int i = 0; i < m_bodies.size(); ++i)
@@ -277,7 +301,10 @@ void IslandState::move(btScalar h)
 						 double(body.getTotalTorque().dot(before.m_spin + w)));
 		btTransform to;
 		body.predictIntegratedTransform(h, to);
-		body.setCenterOfMassTransform(to);
+		const btVector3 linear = v, angular = w;
+		body.setAngularVelocity(before.m_spin);
+		inner.m_turning += energyOfTurning(body, linear, before.m_spin, angular, to.getBasis(), h);
+		body.setAngularVelocity(angular);
 	}
 	for (int i = 0; i < m_points.size(); ++i)
 	{
@@ -285,6 +312,13 @@ void IslandState::move(btScalar h)
 		impulsesOf(*m_points[i].m_point, impulses);
 		for (int k = 0; k < 3; ++k)
 			m_points[i].m_sum[k] += impulses[k];
+		bookWork(m_points[i]);
+	}
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		btTransform to;
+		m_bodies[i].m_body->predictIntegratedTransform(h, to);
+		m_bodies[i].m_body->setCenterOfMassTransform(to);
 	}
 	findTouched();
 }

@@ -92,6 +92,7 @@ private:
 	void addBodies(const SolverGroup& island);
 	void addPoints(const SolverGroup& island);
 	void addKinematic(btRigidBody& body);
+	void bookWork(const Point& point);
 	void findTouched();
 	static btScalar approachOf(const Point& point);
 

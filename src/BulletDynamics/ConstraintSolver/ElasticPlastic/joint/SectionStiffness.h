@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_SECTION_STIFFNESS_H
+#define BT_ELASTIC_PLASTIC_SECTION_STIFFNESS_H
+
+#include "../../btElasticPlasticFibre.h"
+
+namespace btElasticPlastic
+{
+/// Elongation and turns of a section, e + z a_y - y a_z at each place.
+struct SectionPlane
+{
+	double m_elongation = 0, m_turnY = 0, m_turnZ = 0;
+
+	double at(const btElasticPlasticFibre& fibre) const
+	{
+		return m_elongation + double(fibre.m_z) * m_turnY - double(fibre.m_y) * m_turnZ;
+	}
+	void add(double factor, const SectionPlane& other)
+	{
+		m_elongation += factor * other.m_elongation;
+		m_turnY += factor * other.m_turnY;
+		m_turnZ += factor * other.m_turnZ;
+	}
+};
+
+/// N, M_y and M_z of a section: what forces of its fibres add up to.
+struct SectionForces
+{
+	double m_axial = 0, m_momentY = 0, m_momentZ = 0;
+
+	void add(const btElasticPlasticFibre& fibre, double force)
+	{
+		m_axial += force;
+		m_momentY += double(fibre.m_z) * force;
+		m_momentZ -= double(fibre.m_y) * force;
+	}
+	/// Their work over a plane.
+	double along(const SectionPlane& plane) const
+	{
+		return m_axial * plane.m_elongation + m_momentY * plane.m_turnY + m_momentZ * plane.m_turnZ;
+	}
+};
+
+/// The plane that belongs to forces.
+class SectionCompliance
+{
+public:
+	SectionPlane of(const SectionForces& f) const
+	{
+		SectionPlane plane;
+		plane.m_elongation = m_axial * f.m_axial + m_mixed[0] * f.m_momentY + m_mixed[1] * f.m_momentZ;
+		plane.m_turnY = m_mixed[0] * f.m_axial + m_turns[0] * f.m_momentY + m_mixed[2] * f.m_momentZ;
+		plane.m_turnZ = m_mixed[1] * f.m_axial + m_mixed[2] * f.m_momentY + m_turns[1] * f.m_momentZ;
+		return plane;
+	}
+
+private:
+	friend class SectionStiffness;
+	double m_axial = 0, m_turns[2] = {0, 0};
+	double m_mixed[3] = {0, 0, 0};  ///< of N with M_y, N with M_z, M_y with M_z
+};
+
+/// Stiffness of fibres side by side, about the joint's axis.
+class SectionStiffness
+{
+public:
+	void add(const btElasticPlasticFibre& fibre, double stiffness)
+	{
+		const double byZ = stiffness * double(fibre.m_z), byY = stiffness * double(fibre.m_y);
+		m_axial += stiffness;
+		m_turns[0] += byZ * double(fibre.m_z);
+		m_turns[1] += byY * double(fibre.m_y);
+		m_mixed[0] += byZ;
+		m_mixed[1] -= byY;
+		m_mixed[2] -= byZ * double(fibre.m_y);
+	}
+
+	/// Its inverse; 0 in what fibres on one line or at one place do not determine.
+	SectionCompliance invert() const;
+
+private:
+	double m_axial = 0, m_turns[2] = {0, 0}, m_mixed[3] = {0, 0, 0};
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_SECTION_STIFFNESS_H
