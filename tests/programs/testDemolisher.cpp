@@ -185,11 +185,12 @@ TEST(Demolisher, TheFenceCostsTheSameInAllSteps)
 	};
 	const Cost exact = costOf(64, 0);
 	EXPECT_GT(exact.m_speed, 9);
+	// With other masses of the vehicle, up to 0.2 % more or less, the plastic energy is 7 % beside that of 64 substeps at most.
 	const struct
 	{
 		int substeps;
 		btScalar innerError;
-	} cases[] = {{4, btScalar(.01)}, {1, btScalar(.01)}, {16, 0}};
+	} cases[] = {{4, DemolisherSettings().innerError}, {1, DemolisherSettings().innerError}, {16, 0}};
 	for (const auto& c : cases)
 	{
 		const Cost cost = costOf(c.substeps, c.innerError);

@@ -34,9 +34,9 @@ struct DemolisherSettings
 								 Scene::Rod};  ///< that are built: not the house
 	Method method = Method(Solver::Direct, kinds::Ep2, 50);
 	btScalar step = btScalar(1) / 60;  ///< [s]
-	int substeps = 4;                  ///< of each step; with one, a tenth less flows
+	int substeps = 4;                  ///< of each step
 	/// Of the direct solver: the error at which a blow is taken through inner steps, 0: never.
-	btScalar innerError = btScalar(.01);
+	btScalar innerError = btScalar(.002);
 	btScalar gravity = 10;                ///< [m/s^2]
 	btScalar gravityTime = 2;             ///< over which gravity grows: at once it would hit the bridge like a fall [s]
 	btScalar sleepSpeed = btScalar(.02);  ///< slower than this for 2 s, things sleep; 0: never [m/s], [rad/s]
