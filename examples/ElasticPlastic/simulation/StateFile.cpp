@@ -34,8 +34,6 @@ void forEachNumber(State& s, Act act)
 	act(s.m_work);
 	act(s.m_storedEnergy);
 	act(s.m_placeEnergy);
-	act(s.m_plasticOwed);
-	act(s.m_dampingOwed);
 	act(s.m_plasticEnergy);
 	act(s.m_dampingEnergy);
 	act(s.m_solvedExactly);

@@ -218,8 +218,16 @@ btScalar btElasticPlasticJoint::getUtilisation(int* limitingDof) const
 
 double btElasticPlasticJoint::getElasticEnergy() const { return m_works->m_model.elasticEnergy(); }
 
-double btElasticPlasticJoint::getPlasticEnergy() const { return getState().m_plasticEnergy - getState().m_plasticOwed; }
-double btElasticPlasticJoint::getDampingEnergy() const { return getState().m_dampingEnergy - getState().m_dampingOwed; }
+double btElasticPlasticJoint::getPlasticEnergy() const
+{
+	return getState().m_plasticEnergy * m_works->m_model.paidShare();
+}
+
+double btElasticPlasticJoint::getDampingEnergy() const
+{
+	return getState().m_dampingEnergy * m_works->m_model.paidShare();
+}
+
 double btElasticPlasticJoint::getWork() const { return getState().m_work; }
 
 double btElasticPlasticJoint::getNumericalEnergy() const

@@ -42,10 +42,8 @@ struct btElasticPlasticState
 	double m_dampingEnergy = 0;  ///< dissipated by the material's damping [J]
 	// Where no exact solver has the joint (EnergyLedger.h):
 	double m_storedEnergy =
-		0;  ///< in the springs, as far as bodies have given for it; below 0: what they still have to give [J]
+		0;  ///< in the springs, as far as bodies have given for it; below 0: what they still owe for the two above [J]
 	double m_placeEnergy = -1;       ///< of the bodies' places when the last step had ended; -1: not known [J]
-	double m_plasticOwed = 0;        ///< of the plastic energy, what bodies still have to give for [J]
-	double m_dampingOwed = 0;        ///< of the damping energy, likewise [J]
 	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
 	btScalar m_watched[6] = {};      ///< deformation, elastic and plastic, when the load last changed [m], [rad]
 	unsigned m_passedLevels =

@@ -292,7 +292,7 @@ void EnergyLedger::book(Account& account)
 		dissipation += state.m_plasticEnergy + state.m_dampingEnergy;
 		ahead += m_entries[i].m_joint->m_step.getHalfStep();
 	}
-	// What bodies still have to give is no part of what joints tell, of those that break now for ever.
+	// What bodies still owe is no part of what joints tell, of those that break now for ever.
 	const double owed = dissipation > 0 ? fmin(fmax(-account.m_balance, 0) / dissipation, 1) : 0;
 	// What is there beyond what springs hold has been dissipated by the integration.
 	account.m_balance = fmax(fmin(fmin(account.m_balance, springs + ahead), MOST), -MOST);
@@ -302,10 +302,8 @@ void EnergyLedger::book(Account& account)
 		const double share =
 			springs > 0 ? joint.m_model.springEnergy() / springs : 1 / double(account.m_end - account.m_first);
 		btElasticPlasticState& state = joint.m_model.m_state;
-		state.m_plasticOwed = owed * state.m_plasticEnergy;
-		state.m_dampingOwed = owed * state.m_dampingEnergy;
 		state.m_storedEnergy =
-			share * (account.m_balance + owed * dissipation) - (state.m_plasticOwed + state.m_dampingOwed);
+			share * (account.m_balance + owed * dissipation) - owed * (state.m_plasticEnergy + state.m_dampingEnergy);
 		joint.m_step.rememberPlace();
 	}
 }

@@ -191,12 +191,6 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 	if (!btElasticPlasticIsFinite(state.m_dampingEnergy) || state.m_dampingEnergy < 0)
 		return btElasticPlasticFault("the state's damping energy [J]", btScalar(state.m_dampingEnergy),
 									 "finite and not negative");
-	if (!(state.m_plasticOwed >= 0 && state.m_plasticOwed <= state.m_plasticEnergy))
-		return btElasticPlasticFault("what is owed for the state's plastic energy [J]", btScalar(state.m_plasticOwed),
-									 "between 0 and the plastic energy");
-	if (!(state.m_dampingOwed >= 0 && state.m_dampingOwed <= state.m_dampingEnergy))
-		return btElasticPlasticFault("what is owed for the state's damping energy [J]", btScalar(state.m_dampingOwed),
-									 "between 0 and the damping energy");
 	const btElasticPlasticFault fault = btElasticPlasticCheckNotNegative("the state's last step [s]", state.m_lastStep);
 	return fault ? fault : btElasticPlasticCheckNotNegative("the state's withheld step [s]", state.m_withheldStep);
 }
@@ -299,7 +293,8 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 		m_state.m_forceRate[i] = 0;
 	}
 	const double springs = springEnergy();
-	m_state.m_storedEnergy *= held > 0 ? springs / held : 1;
+	if (m_state.m_storedEnergy > 0 && held > 0)
+		m_state.m_storedEnergy *= springs / held;
 	m_state.m_placeEnergy = -1;
 	moveReference(change);
 }
@@ -500,6 +495,13 @@ double JointModel::elasticEnergy() const
 	const double springs = springEnergy();
 	return m_state.m_solvedExactly || m_state.m_lastStep == 0 ? springs
 															  : fmax(fmin(springs, m_state.m_storedEnergy), 0);
+}
+
+double JointModel::paidShare() const
+{
+	const double dissipated = m_state.m_plasticEnergy + m_state.m_dampingEnergy;
+	const bool owes = !m_state.m_solvedExactly && m_state.m_storedEnergy < 0 && dissipated > 0;
+	return owes ? fmax(1 + m_state.m_storedEnergy / dissipated, 0) : 1;
 }
 
 double JointModel::springEnergy() const

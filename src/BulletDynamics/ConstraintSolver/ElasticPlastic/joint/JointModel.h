@@ -93,6 +93,9 @@ struct JointModel
 	/// In the springs, and in those by which the material damps [J].
 	double elasticEnergy() const;
 
+	/// Of what has been dissipated, the share that bodies have given for so far.
+	double paidShare() const;
+
 	/// Of the springs' forces and deformations [J].
 	double springEnergy() const;
 

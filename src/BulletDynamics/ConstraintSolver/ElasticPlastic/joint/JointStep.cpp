@@ -649,7 +649,6 @@ int JointStep::commit()
 	state.m_lastStep = m_dt;
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
 	state.m_work = work;
-	state.m_plasticOwed = state.m_dampingOwed = 0;
 	revert();
 	m_model.moveReference(unloaded);
 	if (!m_usesFibres && m_model.usesFibres())

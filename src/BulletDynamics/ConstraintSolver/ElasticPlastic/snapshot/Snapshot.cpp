@@ -77,9 +77,8 @@ bool isPermutation(std::vector<int> numbers)
 bool isStateFinite(const btElasticPlasticState& state)
 {
 	double sum = state.m_work + state.m_storedEnergy + state.m_placeEnergy + state.m_plasticEnergy +
-				 state.m_plasticOwed + state.m_dampingOwed + state.m_dampingEnergy + double(state.m_lastStep) +
-				 double(state.m_withheldStep) + double(state.m_plasticRotation.length2()) +
-				 double(state.m_plasticMiddle.length2());
+				 state.m_dampingEnergy + double(state.m_lastStep) + double(state.m_withheldStep) +
+				 double(state.m_plasticRotation.length2()) + double(state.m_plasticMiddle.length2());
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		sum += double(state.m_plastic[dof]) + double(state.m_force[dof]) + double(state.m_forceRate[dof]) +
 			   double(state.m_withheld[dof]) + double(state.m_applied[dof]) + double(state.m_appliedBefore[dof]) +

@@ -81,8 +81,6 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	{
 		archive(state.m_storedEnergy);
 		archive(state.m_placeEnergy);
-		archive(state.m_plasticOwed);
-		archive(state.m_dampingOwed);
 	}
 	archive(state.m_plasticEnergy);
 	archive(state.m_dampingEnergy);
