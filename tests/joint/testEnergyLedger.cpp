@@ -107,6 +107,36 @@ TEST(EnergyLedger, FreeStructuresGainNothing)
 			}
 }
 
+/// Places are half a step ahead of velocities, so in a joint's first step its springs and its flow would be ahead of what bodies have given:
+/// in 11 of these scenes by up to 1.1 %.
+TEST(EnergyLedger, FreeStructuresOfTheDirectFormTellNoMoreThanTheyHad)
+{
+	for (const bool changes : {false, true})
+		for (unsigned seed = 0; seed < 1000; ++seed)
+		{
+			SCOPED_TRACE(testing::Message() << "changes " << changes << ", seed " << seed);
+			FreeStructure structure(Solver::Direct, seed);
+			World& world = structure.m_world;
+			const double dt = structure.spread(1. / 1000, 1. / 30), first = world.kineticEnergy();
+			// In later steps, too, places are ahead.
+			const double ahead = 1e-4 * first;
+			for (int i = 0; i < 100; ++i)
+			{
+				world.step(btScalar(changes ? dt * structure.spread(0.3, 1 / 0.3) : dt));
+				double work = 0, flowed = 0, stored = 0;
+				for (const btElasticPlasticJoint* joint : world.joints())
+				{
+					work += joint->getWork();
+					flowed += joint->getPlasticEnergy();
+					stored += joint->isBroken() ? 0 : joint->getElasticEnergy();
+				}
+				ASSERT_LE(world.kineticEnergy(), first + ahead) << i;
+				ASSERT_LE(world.kineticEnergy() + flowed + stored, first + ahead) << i;
+				ASSERT_LE(flowed, work + ahead) << i;
+			}
+		}
+}
+
 TEST(EnergyLedger, KeepsMomentum)
 {
 	for (const Solver solver : UNFINISHED)

@@ -113,7 +113,8 @@ public:
 	/// may end before the solution, as far as the bodies have given for it: the strain that such a solver leaves is no energy.
 	double getElasticEnergy() const;
 
-	/// Dissipated by plastic flow, force times way [J]; with such a solver as far as the bodies have given for it.
+	/// Dissipated by plastic flow, force times way (m_plasticEnergy of the state) [J]; with such a solver, and of a joint's first step, as far as
+	/// the bodies have given for it.
 	double getPlasticEnergy() const;
 
 	/// Dissipated by the material's damping [J].

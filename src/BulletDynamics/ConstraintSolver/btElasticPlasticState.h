@@ -40,10 +40,10 @@ struct btElasticPlasticState
 	double m_work = 0;           ///< taken from the bodies [J]
 	double m_plasticEnergy = 0;  ///< dissipated by plastic flow, force at yield times path [J]
 	double m_dampingEnergy = 0;  ///< dissipated by the material's damping [J]
-	// Where no exact solver has the joint (EnergyLedger.h):
 	double m_storedEnergy =
-		0;  ///< in the springs, as far as bodies have given for it; below 0: what they still owe for the two above [J]
-	double m_placeEnergy = -1;       ///< of the bodies' places when the last step had ended; -1: not known [J]
+		0;  ///< below 0: what bodies still owe for the two above and the springs [J]. Where no exact solver has the
+			///< joint (EnergyLedger.h), otherwise: in the springs, as far as they have given for it
+	double m_placeEnergy = -1;       ///< there: of the bodies' places when the last step had ended; -1: not known [J]
 	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
 	btScalar m_watched[6] = {};      ///< deformation, elastic and plastic, when the load last changed [m], [rad]
 	unsigned m_passedLevels =

@@ -493,15 +493,25 @@ btScalar JointModel::fibreUtilisation() const
 double JointModel::elasticEnergy() const
 {
 	const double springs = springEnergy();
-	return m_state.m_solvedExactly || m_state.m_lastStep == 0 ? springs
-															  : fmax(fmin(springs, m_state.m_storedEnergy), 0);
+	if (m_state.m_solvedExactly)
+		return springs - fmin(springs, fmax(-m_state.m_storedEnergy - dissipatedEnergy(), 0));
+	return m_state.m_lastStep == 0 ? springs : fmax(fmin(springs, m_state.m_storedEnergy), 0);
 }
 
 double JointModel::paidShare() const
 {
-	const double dissipated = m_state.m_plasticEnergy + m_state.m_dampingEnergy;
-	const bool owes = !m_state.m_solvedExactly && m_state.m_storedEnergy < 0 && dissipated > 0;
-	return owes ? fmax(1 + m_state.m_storedEnergy / dissipated, 0) : 1;
+	const double dissipated = dissipatedEnergy();
+	return m_state.m_storedEnergy < 0 && dissipated > 0 ? fmax(1 + m_state.m_storedEnergy / dissipated, 0) : 1;
+}
+
+/// Before the first step nothing is behind a joint, and its force begins as that of a leapfrog does: places and what depends on them are
+/// half a step ahead of the bodies' velocities, and of what these have given.
+void JointModel::findOwed(bool isFirstStep)
+{
+	if (m_isPaper || (!isFirstStep && m_state.m_storedEnergy >= 0))
+		return;
+	const double ahead = fmax(springEnergy() + dissipatedEnergy() - m_state.m_work, 0);
+	m_state.m_storedEnergy = -(isFirstStep ? ahead : fmin(ahead, -m_state.m_storedEnergy));
 }
 
 double JointModel::springEnergy() const

@@ -96,6 +96,12 @@ struct JointModel
 	/// Of what has been dissipated, the share that bodies have given for so far.
 	double paidShare() const;
 
+	/// After a step that has been solved exactly: what bodies still owe for the joint's first step.
+	void findOwed(bool isFirstStep);
+
+	/// By flow and by damping, whether it has been given for or not [J].
+	double dissipatedEnergy() const { return m_state.m_plasticEnergy + m_state.m_dampingEnergy; }
+
 	/// Of the springs' forces and deformations [J].
 	double springEnergy() const;
 

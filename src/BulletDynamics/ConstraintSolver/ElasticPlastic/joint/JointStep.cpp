@@ -646,9 +646,12 @@ int JointStep::commit()
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		state.m_withheld[i] = m_withheld[i];
 	state.m_withheldStep = m_withheldStep;
+	const bool isFirstStep = state.m_lastStep == 0;
 	state.m_lastStep = m_dt;
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
 	state.m_work = work;
+	if (state.m_solvedExactly)
+		m_model.findOwed(isFirstStep);
 	revert();
 	m_model.moveReference(unloaded);
 	if (!m_usesFibres && m_model.usesFibres())
