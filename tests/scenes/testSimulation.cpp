@@ -324,6 +324,18 @@ TEST(SceneJoints, OfNewSectionsHaveTheirCapacity)
 	EXPECT_GT(fibres[36].m_rateReference, 0);
 }
 
+TEST(SceneJoints, LeaveShearToItselfWhereASectionSaysSo)
+{
+	const SceneDescription scene = sceneOf(R"("materials": {"steel": {"yield_stress": 355e6}},
+		"bodies": [{"name": "a", "box": [1, 1, 1]}, {"name": "b", "box": [1, 1, 1], "at": [1, 0, 0]}],
+		"joints": [
+			{"name": "whole", "from": "a", "to": "b", "material": "steel", "section": {"rectangle": [0.1, 0.1], "fibres": 16}},
+			{"name": "apart", "from": "a", "to": "b", "material": "steel", "section": {"rectangle": [0.1, 0.1], "fibres": 16, "shear": false}}])");
+	for (int joint = 0; joint < 2; ++joint)
+		for (int i = 0; i < 16; ++i)
+			EXPECT_EQ(joint == 0, scene.joints[size_t(joint)].capacity.m_fibres[i].m_bearsShear);
+}
+
 TEST(SceneJoints, OfConnectionsAndCompositeSectionsHaveTheirCapacity)
 {
 	const SceneDescription scene = sceneOf(R"("materials": {

@@ -204,10 +204,11 @@ void fibresOf(Fields& f, SceneBuilder& builder, SceneDescription::Section& s)
 	const int uncut = -1;
 	int fibres = uncut;
 	f.whole("fibres", fibres, uncut, 400,
-			"about how many it is cut into, so that axial force and bending yield together; 0: the usual number, -1: "
-			"it is not");
+			"about how many it is cut into, so that all forces yield together; 0: the usual number, -1: it is not");
+	bool shear = true;
+	f.flag("shear", shear, "of a section with fibres: shears and torsion yield together with the rest");
 	if (fibres != uncut)
-		s.section = s.section.withFibres(fibres);
+		s.section = s.section.withFibres(fibres, shear);
 	f.list("bars", 1000, "of reinforcement, in a section with fibres",
 		   [&](Fields& in)
 		   {

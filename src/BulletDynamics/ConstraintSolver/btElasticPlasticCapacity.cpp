@@ -269,6 +269,9 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 			return f;
 		if (!btElasticPlasticIsFinite(double(fibre.m_rateExponent)) || !(fibre.m_rateExponent >= 1))
 			return btElasticPlasticFault("exponent of a fibre's rate", fibre.m_rateExponent, "finite, at least 1");
+		for (const btScalar number : {fibre.m_wall[0], fibre.m_wall[1], fibre.m_twist[0], fibre.m_twist[1]})
+			if (!btElasticPlasticIsFinite(double(number)))
+				return btElasticPlasticFault("direction in which a fibre is sheared", number, "finite");
 	}
 	return btElasticPlasticFault();
 }

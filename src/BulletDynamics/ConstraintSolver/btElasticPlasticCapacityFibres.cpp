@@ -25,6 +25,16 @@ struct SectionPiece
 	{
 		return double(m_from.m_area) * double(m_material.m_yieldStress) * double(m_material.m_loadBearingShare);
 	}
+	/// A material that is weaker in tension is no metal: shear is not taken of its strength.
+	void shear(btElasticPlasticFibre& fibre) const
+	{
+		fibre.m_bearsShear = m_from.m_bearsShear && m_material.m_tensileShare == 1;
+		for (int k = 0; k < 2 && fibre.m_bearsShear; ++k)
+		{
+			fibre.m_wall[k] = m_from.m_wall[k];
+			fibre.m_twist[k] = m_from.m_twist[k];
+		}
+	}
 	btElasticPlasticFibre fibre(double stiffness, double strength) const
 	{
 		btElasticPlasticFibre fibre;
@@ -36,6 +46,7 @@ struct SectionPiece
 		fibre.m_rateReference = m_material.m_rate.m_reference * btScalar(m_gauge);
 		fibre.m_rateExponent = m_material.m_rate.m_exponent;
 		fibre.m_part = m_from.m_material;
+		shear(fibre);
 		return fibre;
 	}
 };
@@ -176,8 +187,10 @@ void btElasticPlasticCapacity::addFibres(const btElasticPlasticMaterial& materia
 		fibre.m_softens = own.m_fractureEnergy > 0;
 		if (fibre.m_softens)
 			fibre.m_stretchLimit = 2 * own.m_fractureEnergy / (own.m_yieldStress * own.m_tensileShare);
+		const SectionPiece piece = {from, own, double(fibre.m_stiffness), double(gaugeLength)};
+		piece.shear(fibre);
 		if (own.m_hardening.size() > 0)
-			addHardening(*this, {from, own, double(fibre.m_stiffness), double(gaugeLength)});
+			addHardening(*this, piece);
 		else
 			m_fibres.push_back(fibre);
 		stiffness[0] += fibre.m_stiffness;

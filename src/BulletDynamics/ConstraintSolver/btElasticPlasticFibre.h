@@ -31,6 +31,12 @@ struct btElasticPlasticFibre
 	/// Of the section, by which events name it: 0 is the section itself, i the i-th bar or part that was added; an added part's bars come after
 	/// it. A layer of the fibre before, as hardening makes them, has its part and its place.
 	int m_part = 0;
+	/// Whether the shears and the torsion of the joint take of its strength. The rest below is of one that does.
+	bool m_bearsShear = false;
+	/// Direction of the wall along which it is sheared, a unit vector of y and z; 0: in any direction.
+	btScalar m_wall[2] = {0, 0};
+	/// Along y and z, its slip by a twist, which turns it about x. Only what fibres have of it by comparison counts [m].
+	btScalar m_twist[2] = {0, 0};
 
 	bool isSameAs(const btElasticPlasticFibre& other) const
 	{
@@ -39,7 +45,9 @@ struct btElasticPlasticFibre
 			   m_stretchLimit == other.m_stretchLimit && m_crushLimit == other.m_crushLimit &&
 			   m_firstPoint == other.m_firstPoint && m_numPoints == other.m_numPoints &&
 			   m_rateReference == other.m_rateReference && m_rateExponent == other.m_rateExponent &&
-			   m_softens == other.m_softens && m_part == other.m_part;
+			   m_softens == other.m_softens && m_part == other.m_part && m_bearsShear == other.m_bearsShear &&
+			   m_wall[0] == other.m_wall[0] && m_wall[1] == other.m_wall[1] && m_twist[0] == other.m_twist[0] &&
+			   m_twist[1] == other.m_twist[1];
 	}
 
 	/// Whether the two are layers of one piece of the section, which fails when all of them have.

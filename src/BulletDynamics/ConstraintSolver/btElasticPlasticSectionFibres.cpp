@@ -57,6 +57,31 @@ void add(btElasticPlasticSection& section, double y, double z, double area)
 	section.m_fibres.push_back({btScalar(y), btScalar(z), btScalar(area)});
 }
 
+/// A fibre is sheared along the longer side of its part. In a closed section a twist makes the wall as a whole slip; in an open one its two faces
+/// slip to and fro, and the fibres stand for layers between them by turns: four layers tell what torsion leaves of shear.
+void shearAlong(btElasticPlasticSectionFibre& fibre, const btElasticPlasticSectionPart& part, bool isClosed, int index)
+{
+	// Without a mean or a slope along the wall.
+	static const double layers[] = {0.125, -0.375, 0.375, -0.125, -0.125, 0.375, -0.375, 0.125};
+	const bool isHigh = part.m_height > part.m_width;
+	const double c = cos(double(part.m_turn)), s = sin(double(part.m_turn)),
+				 along[2] = {isHigh ? c : -s, isHigh ? s : c},
+				 off = layers[index % 8] * double(btMin(part.m_height, part.m_width));
+	fibre.m_bearsShear = true;
+	for (int k = 0; k < 2; ++k)
+		fibre.m_wall[k] = btScalar(along[k]);
+	fibre.m_twist[0] = isClosed ? -part.m_z : btScalar(2 * off * along[0]);
+	fibre.m_twist[1] = isClosed ? part.m_y : btScalar(2 * off * along[1]);
+}
+
+/// A fibre is sheared in any direction.
+void shearFreely(btElasticPlasticSectionFibre& fibre, double twistY, double twistZ)
+{
+	fibre.m_bearsShear = true;
+	fibre.m_twist[0] = btScalar(twistY);
+	fibre.m_twist[1] = btScalar(twistZ);
+}
+
 /// Off a part's centre, along its own height and width.
 void addTo(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, double alongHeight,
 		   double alongWidth, double area)
@@ -82,8 +107,13 @@ void addOrbits(btElasticPlasticSection& section, const btElasticPlasticSectionPa
 	const double scaleY = 0.25 * sum / arm[0], scaleZ = 0.25 * sum / arm[1];
 	for (const Orbit& orbit : orbits)
 		for (int corner = 0; corner < 4; ++corner)
-			addTo(section, part, (corner & 1 ? 1 : -1) * scaleY * orbit.m_y * height,
-				  (corner & 2 ? 1 : -1) * scaleZ * orbit.m_z * width, height * width * orbit.m_share / sum / 4);
+		{
+			const double y = (corner & 1 ? 1 : -1) * scaleY * orbit.m_y * height,
+						 z = (corner & 2 ? 1 : -1) * scaleZ * orbit.m_z * width;
+			addTo(section, part, y, z, height * width * orbit.m_share / sum / 4);
+			if (section.m_parts.size() == 1)
+				shearFreely(section.m_fibres[section.m_fibres.size() - 1], -z * height / width, y * width / height);
+		}
 }
 
 void addRectangle(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, int count)
@@ -104,6 +134,12 @@ void addRing(btElasticPlasticSection& section, const btElasticPlasticSectionPart
 	{
 		const double angle = FULL_TURN * (i + phase) / count;
 		add(section, part.m_y + radius * sin(angle), part.m_z + radius * cos(angle), area / count);
+		btElasticPlasticSectionFibre& fibre = section.m_fibres[section.m_fibres.size() - 1];
+		shearFreely(fibre, -radius * cos(angle), radius * sin(angle));
+		if (part.m_innerRadius == 0)
+			continue;
+		fibre.m_wall[0] = btScalar(-cos(angle));
+		fibre.m_wall[1] = btScalar(sin(angle));
 	}
 }
 
@@ -143,20 +179,37 @@ void addStrips(btElasticPlasticSection& section, const btElasticPlasticSectionPa
 	}
 }
 
+/// Whether the walls of a section form a ring: it is much stiffer in torsion than they are.
+bool isRing(const btElasticPlasticSection& section)
+{
+	double open = 0;
+	for (int i = 0; i < section.m_parts.size(); ++i)
+	{
+		const double h = section.m_parts[i].m_height, b = section.m_parts[i].m_width, thin = btMin(h, b);
+		open += btMax(h, b) * thin * thin * thin / 3;
+	}
+	return double(section.m_torsionConstant) > 2 * open;
+}
+
 /// Parts take their shares by the third root of their area: with n strips a part errs by its area over n^2.
 void addParts(btElasticPlasticSection& section, int count)
 {
 	const auto rootOf = [&](int i)
 	{ return cbrt(double(section.m_parts[i].m_height) * double(section.m_parts[i].m_width)); };
+	// Bolts and welds hold in any direction, and as far from the centre as they are.
+	const bool isClosed = isRing(section), areFasteners = section.m_plasticShearArea[0] == section.m_area &&
+														  section.m_plasticShearArea[1] == section.m_area;
 	double sum = 0;
 	for (int i = 0; i < section.m_parts.size(); ++i)
 		sum += rootOf(i);
 	for (int i = 0; i < section.m_parts.size(); ++i)
 	{
 		const btElasticPlasticSectionPart& part = section.m_parts[i];
+		const int first = section.m_fibres.size();
 		if (part.m_radius > 0)
 		{
 			add(section, part.m_y, part.m_z, FULL_TURN / 2 * double(part.m_radius) * double(part.m_radius));
+			shearFreely(section.m_fibres[first], -double(part.m_z), double(part.m_y));
 			continue;
 		}
 		const int own = 4 * btMax(1, int(count * rootOf(i) / sum / 4 + 0.5));
@@ -166,6 +219,14 @@ void addParts(btElasticPlasticSection& section, int count)
 			addRectangle(section, part, own);
 		else
 			addStrips(section, part, own);
+		for (int k = first; k < section.m_fibres.size(); ++k)
+		{
+			btElasticPlasticSectionFibre& fibre = section.m_fibres[k];
+			if (areFasteners)
+				shearFreely(fibre, -double(fibre.m_z), double(fibre.m_y));
+			else
+				shearAlong(fibre, part, isClosed, k - first);
+		}
 	}
 }
 
@@ -183,7 +244,7 @@ void addClusters(btElasticPlasticSection& section, int count)
 }
 }  // namespace
 
-btElasticPlasticSection btElasticPlasticSection::withFibres(int count) const
+btElasticPlasticSection btElasticPlasticSection::withFibres(int count, bool withShear) const
 {
 	btElasticPlasticSection s = *this;
 	if (s.m_fault)
@@ -205,6 +266,8 @@ btElasticPlasticSection btElasticPlasticSection::withFibres(int count) const
 		addRound(s, m_parts[0], count > 0 ? count : 20);
 	else
 		addRectangle(s, m_parts[0], count > 0 ? count : 16);
+	for (int i = 0; i < s.m_fibres.size() && !withShear; ++i)
+		s.m_fibres[i].m_bearsShear = false;
 	return s;
 }
 
@@ -251,6 +314,7 @@ void btElasticPlasticSection::addPart(const btElasticPlasticSection& part, btSca
 		if (fibre.m_material == 0)
 			fibre.m_excess = btScalar(shares[i] * double(part.m_area) / double(fibre.m_area) - 1);
 		fibre.m_material += own;
+		fibre.m_bearsShear = false;
 		fibre.m_y += y;
 		fibre.m_z += z;
 		m_fibres.push_back(fibre);

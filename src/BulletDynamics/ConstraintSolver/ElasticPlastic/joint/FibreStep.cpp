@@ -48,12 +48,8 @@ DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUN
 {
 	const int dof = BT_EP_SHEAR_Y + shear;
 	const btElasticPlasticState& state = m_model.m_state;
-	DofState s = {m_model.m_capacity.m_stiffness[dof],
-				  m_model.m_capacity.m_yield[dof],
-				  strain[dof],
-				  state.m_force[dof],
-				  state.m_forceRate[dof],
-				  {}};
+	DofState s = {
+		m_model.m_capacity.m_stiffness[dof], yieldOf(dof), strain[dof], state.m_force[dof], state.m_forceRate[dof], {}};
 	m_damping.addTo(s, state.m_branch, dof);
 	return s;
 }
@@ -225,6 +221,8 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		const btScalar known = scheme.known(s, dt);
 		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
 		m_strength[i] = strengthInStep(i, s, motion);
+		m_strength[i].m_tension *= m_interaction.getLeft(i);
+		m_strength[i].m_compression *= m_interaction.getLeft(i);
 		JointRows::Fibre& row = m_rows[i];
 		row.m_soft = implicitRow(s, scheme, a, dt);
 		row.m_soft.m_lower = holds ? dt * (known - scheme.m_alpha * m_strength[i].m_compression) : btScalar(0);

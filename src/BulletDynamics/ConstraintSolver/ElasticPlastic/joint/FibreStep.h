@@ -11,6 +11,7 @@
 #include "JointRows.h"
 #include "MaterialDamping.h"
 #include "SectionStiffness.h"
+#include "ShearInteraction.h"
 
 namespace btElasticPlastic
 {
@@ -37,6 +38,11 @@ public:
 		btScalar m_rate[BT_EP_DOF_COUNT];  ///< of strain
 		btScalar m_turn[2];                ///< A of the two rows of bending
 	};
+
+	/// Before all rows of the step are made: what shears and torsion leave of the fibres and of each other.
+	void beginShear(const Motion& motion, btScalar dt) { m_interaction.find(m_model, motion.m_rate, dt); }
+	/// The yield value of a shear or torsion in the step.
+	btScalar yieldOf(int dof) const { return m_interaction.getShare(dof) * m_model.m_capacity.m_yield[dof]; }
 
 	/// Makes the fibres' rows, and couples them with those of the shears.
 	/// \param strain    of the joint's six degrees of freedom, as the step meets it
@@ -153,6 +159,7 @@ private:
 	btAlignedObjectArray<Solution> m_solution;
 	btAlignedObjectArray<Mapped> m_mapped;
 	CoupledBundle m_bundle;
+	ShearInteraction m_interaction;
 	btAlignedObjectArray<Loss> m_losses;
 };
 }  // namespace btElasticPlastic

@@ -127,7 +127,7 @@ DofState JointStep::dofState(int dof) const
 {
 	const btElasticPlasticState& state = m_model.m_state;
 	DofState s = {m_model.m_capacity.m_stiffness[dof],
-				  m_model.m_capacity.m_yield[dof],
+				  yieldOf(dof),
 				  m_kinematics.m_strain[dof],
 				  state.m_force[dof],
 				  state.m_forceRate[dof],
@@ -210,6 +210,15 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 		return false;
 	const Kinematics& k = rows.m_kinematics = m_kinematics;
 	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
+	FibreStep::Motion motion = {};
+	if (m_usesFibres)
+	{
+		motion.m_turn[0] = diagonal.about(k.m_axis[1]);
+		motion.m_turn[1] = diagonal.about(k.m_axis[2]);
+		for (int r = 0; r < m_numRows; ++r)
+			motion.m_rate[m_row[r].m_dof] = getRateBefore(r);
+		m_fibres.beginShear(motion, dt);
+	}
 	rows.m_numRows = getNumPlainRows();
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
@@ -225,9 +234,6 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 	if (m_usesFibres)
 	{
 		const btVector3& axis = k.m_axis[0];
-		FibreStep::Motion motion = {{}, {diagonal.about(k.m_axis[1]), diagonal.about(k.m_axis[2])}};
-		for (int r = 0; r < m_numRows; ++r)
-			motion.m_rate[m_row[r].m_dof] = getRateBefore(r);
 		m_fibres.begin(m_kinematics.m_strain, motion, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt,
 					   rows);
 	}
@@ -638,7 +644,7 @@ int JointStep::commit()
 		state.m_plasticPath[i] += btFabs(increment[i]);
 		if (r >= numPlain)
 			continue;
-		const double force = isCut ? fabs(double(mapped.m_force)) : double(m_model.m_capacity.m_yield[i]);
+		const double force = isCut ? fabs(double(mapped.m_force)) : double(yieldOf(i));
 		state.m_plasticEnergy += force * fabs(double(increment[i]));
 		flowed = true;
 	}

@@ -194,6 +194,8 @@ private:
 		const btScalar last = m_model.m_state.m_lastStep;
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}
+	/// In the step.
+	btScalar yieldOf(int dof) const { return m_usesFibres ? m_fibres.yieldOf(dof) : m_model.m_capacity.m_yield[dof]; }
 	btScalar deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) const;
 	void damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres);
 	double strainEnergy(const Kinematics& k) const;

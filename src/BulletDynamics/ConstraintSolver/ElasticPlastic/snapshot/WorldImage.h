@@ -104,6 +104,12 @@ void transfer(Archive& archive, btElasticPlasticFibre& fibre)
 	archive(fibre.m_rateExponent);
 	archive(fibre.m_softens);
 	archive(fibre.m_part);
+	archive(fibre.m_bearsShear);
+	if (fibre.m_bearsShear)
+	{
+		transfer(archive, fibre.m_wall);
+		transfer(archive, fibre.m_twist);
+	}
 }
 
 template <class Archive>

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "ShearInteraction.h"
+
+#include <math.h>
+
+namespace btElasticPlastic
+{
+namespace
+{
+/// Sum of the shares of the six forces in what each could be by itself, below which nothing can be near the surface.
+const double LEAST_LOAD = 0.5;
+/// Share of shears and torsion that leaves all but its square of the rest.
+const double LEAST_SHEAR = 0.02;
+/// Flow of a fibre over the mean, below which it counts as this: the surface's edges are rounded by as much.
+const double LEAST_FLOW = 1e-3;
+const int SEARCHES = 12;
+/// Share of what the section bears from which on it is taken to flow.
+const double NEAR = 0.95;
+/// Part of the way to the bounds that belong to the present flow, in a step.
+const double MOST_TURN = 0.3;
+/// What is left of the yield values of shears and torsion at least. In a section that flows in one of them the others would else have none, and
+/// never come back.
+const double LEAST_SHARE = 0.1;
+/// Keeps what fibres on one line do not determine out of the way.
+const double NEXT_TO_NOTHING = 1e-9;
+}  // namespace
+
+void ShearInteraction::Matrix::add(double weight, const double row[3])
+{
+	m_elements[0] += weight * row[0] * row[0];
+	m_elements[1] += weight * row[0] * row[1];
+	m_elements[2] += weight * row[0] * row[2];
+	m_elements[3] += weight * row[1] * row[1];
+	m_elements[4] += weight * row[1] * row[2];
+	m_elements[5] += weight * row[2] * row[2];
+}
+
+ShearInteraction::Matrix ShearInteraction::Matrix::inverse() const
+{
+	const double* const m = m_elements;
+	const double least = NEXT_TO_NOTHING * (m[0] + m[3] + m[5]);
+	const double xx = m[0] + least, yy = m[3] + least, zz = m[5] + least, xy = m[1], xz = m[2], yz = m[4];
+	const double c0 = yy * zz - yz * yz, c1 = xz * yz - xy * zz, c2 = xy * yz - xz * yy,
+				 determinant = xx * c0 + xy * c1 + xz * c2;
+	return {{c0 / determinant, c1 / determinant, c2 / determinant, (xx * zz - xz * xz) / determinant,
+			 (xy * xz - xx * yz) / determinant, (xx * yy - xy * xy) / determinant}};
+}
+
+void ShearInteraction::Matrix::multiply(const double x[3], double result[3]) const
+{
+	const double* const m = m_elements;
+	result[0] = m[0] * x[0] + m[1] * x[1] + m[2] * x[2];
+	result[1] = m[1] * x[0] + m[3] * x[1] + m[4] * x[2];
+	result[2] = m[2] * x[0] + m[4] * x[1] + m[5] * x[2];
+}
+
+/// Takes the fibres with what each of the six forces counts for in them, over what the section bears of it alone. A fibre of unequal strengths
+/// is one of equal strengths about a force in the middle.
+/// \return whether any of them bears shear
+bool ShearInteraction::collect(const JointModel& model)
+{
+	const btElasticPlasticCapacity& capacity = model.m_capacity;
+	m_fibres.clear();
+	double slips[3] = {};
+	for (int k = 0; k < 3; ++k)
+		m_alone[k] = m_middle[k] = 0;
+	for (int i = 0; i < capacity.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& own = capacity.m_fibres[i];
+		const btElasticPlasticFibreState& state = model.m_state.m_fibres[i];
+		const JointModel::FibreStrength strength = model.strengthOf(i);
+		const double stronger = state.isRuptured() ? 0 : 1 + double(state.m_rateShare),
+					 middle = stronger * (double(strength.m_tension) - double(strength.m_compression)) / 2;
+		Fibre fibre = {stronger * (double(strength.m_tension) + double(strength.m_compression)) / 2,
+					   {1, double(own.m_z), -double(own.m_y)},
+					   {},
+					   1};
+		const double wall[2] = {double(own.m_wall[0]), double(own.m_wall[1])},
+					 twist[2] = {double(own.m_twist[0]), double(own.m_twist[1])};
+		if (own.m_bearsShear && (wall[0] != 0 || wall[1] != 0))
+		{
+			fibre.m_slip[0][0] = wall[0];
+			fibre.m_slip[0][1] = wall[1];
+			fibre.m_slip[0][2] = wall[0] * twist[0] + wall[1] * twist[1];
+		}
+		else if (own.m_bearsShear)
+			for (int k = 0; k < 2; ++k)
+			{
+				fibre.m_slip[k][k] = 1;
+				fibre.m_slip[k][2] = twist[k];
+			}
+		for (int k = 0; k < 3; ++k)
+		{
+			m_alone[k] += fibre.m_strength * fabs(fibre.m_normal[k]);
+			m_middle[k] += middle * fibre.m_normal[k];
+			slips[k] += fibre.m_strength * hypot(fibre.m_slip[0][k], fibre.m_slip[1][k]);
+		}
+		m_fibres.push_back(fibre);
+	}
+	for (Fibre& fibre : m_fibres)
+		for (int k = 0; k < 3; ++k)
+		{
+			fibre.m_normal[k] /= m_alone[k] > 0 ? m_alone[k] : 1;
+			for (auto& slip : fibre.m_slip)
+				slip[k] /= slips[k] > 0 ? slips[k] : 1;
+		}
+	return slips[0] + slips[1] + slips[2] > 0;
+}
+
+double ShearInteraction::flowOf(const Fibre& fibre, const double q[6], bool withNormal) const
+{
+	double square = 0;
+	const auto along = [](const double row[3], const double x[3])
+	{ return row[0] * x[0] + row[1] * x[1] + row[2] * x[2]; };
+	if (withNormal)
+		square += along(fibre.m_normal, q) * along(fibre.m_normal, q);
+	for (const auto& slip : fibre.m_slip)
+		square += along(slip, q + 3) * along(slip, q + 3);
+	return sqrt(square);
+}
+
+/// \param q           gets the flow
+/// \return the share of what the section bears
+double ShearInteraction::search(const double force[6], double q[6])
+{
+	double strength = 0, most = 0;
+	for (Fibre& fibre : m_fibres)
+	{
+		fibre.m_flow = 1;
+		strength += fibre.m_strength;
+	}
+	most = strength;
+	for (int k = 0; k < SEARCHES; ++k)
+	{
+		Matrix normal = {}, slip = {};
+		const double least = LEAST_FLOW * most / strength;
+		m_most = 0;
+		for (Fibre& fibre : m_fibres)
+		{
+			const double flow = btMax(fibre.m_flow, least), weight = fibre.m_strength / flow;
+			m_most += fibre.m_strength * flow;
+			normal.add(weight, fibre.m_normal);
+			for (const auto& row : fibre.m_slip)
+				slip.add(weight, row);
+		}
+		m_matrix = slip.inverse();
+		m_matrix.multiply(force + 3, q + 3);
+		normal.inverse().multiply(force, q);
+		most = 0;
+		for (Fibre& fibre : m_fibres)
+		{
+			fibre.m_flow = flowOf(fibre, q, true);
+			most += fibre.m_strength * fibre.m_flow;
+		}
+	}
+	double work = 0;
+	for (int i = 0; i < 6; ++i)
+		work += force[i] * q[i];
+	return most > 0 ? work / most : 0;
+}
+
+/// By Cauchy and Schwarz h(q)^2 <= q A q sum w n, with the matrix A of a search and its n: what the section bears is within the ellipsoid
+/// F A^-1 F <= sum w n, and at the forces with which the search was made they touch. So that is what each of shears and torsion may be
+/// beside the other five forces, and no more than it could be by itself.
+/// \param share  at which the forces are
+/// \param bears  of the normal forces, their part of F A^-1 F
+void ShearInteraction::findShares(const double force[6], double share, double bears)
+{
+	const double shrunk = btMax(share, 1.);
+	const double* const m = m_matrix.m_elements;
+	const double diagonal[3] = {m[0], m[3], m[5]};
+	for (int k = 0; k < 3; ++k)
+	{
+		double others[3] = {force[3] / shrunk, force[4] / shrunk, force[5] / shrunk}, product[3];
+		others[k] = 0;
+		m_matrix.multiply(others, product);
+		const double half = force[3 + k] < 0 ? -product[k] : product[k],
+					 rest = others[0] * product[0] + others[1] * product[1] + others[2] * product[2] +
+							bears / (shrunk * shrunk) - m_most,
+					 square = half * half - diagonal[k] * rest,
+					 most = square > 0 ? (sqrt(square) - half) / diagonal[k] : 0;
+		m_share[k] = btScalar(btMin(1., btMax(LEAST_SHARE, most)));
+	}
+}
+
+/// Leads the bounds to where the section bears the most against the way in which it moves: there its flow is the surface's normal.
+/// \param q       the way, by work for the forces over what each could be by itself
+/// \param amount  of the way from where the forces are
+void ShearInteraction::follow(const double q[6], double amount)
+{
+	double shear[3] = {};
+	for (size_t i = 0; i < m_fibres.size(); ++i)
+	{
+		const Fibre& fibre = m_fibres[i];
+		const double flow = flowOf(fibre, q, true), slip = flowOf(fibre, q, false);
+		if (!(flow > 0))
+			continue;
+		const double normal = sqrt(btMax(0., 1 - slip * slip / (flow * flow)));
+		m_left[int(i)] += btScalar(amount * (normal - double(m_left[int(i)])));
+		for (const auto& row : fibre.m_slip)
+		{
+			const double stress = fibre.m_strength * (row[0] * q[3] + row[1] * q[4] + row[2] * q[5]) / flow;
+			for (int k = 0; k < 3; ++k)
+				shear[k] += stress * row[k];
+		}
+	}
+	for (int k = 0; k < 3; ++k)
+		m_share[k] += btScalar(amount * (btMax(LEAST_SHARE, fabs(shear[k])) - double(m_share[k])));
+}
+
+void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_DOF_COUNT], btScalar dt)
+{
+	m_left.resize(0);
+	m_share[0] = m_share[1] = m_share[2] = 1;
+	const btElasticPlasticCapacity& capacity = model.m_capacity;
+	static const int dofs[6] = {BT_EP_AXIAL,   BT_EP_BENDING_Y, BT_EP_BENDING_Z,
+								BT_EP_SHEAR_Y, BT_EP_SHEAR_Z,   BT_EP_TORSION};
+	double force[6], way[6], load = 0, shear = 0, work = 0, grown = 0;
+	for (int k = 0; k < 6; ++k)
+	{
+		const int dof = dofs[k];
+		const double yield = capacity.isElasticPlastic(dof) ? double(capacity.m_yield[dof]) : 0;
+		force[k] = yield > 0 ? double(model.m_state.m_force[dof]) : 0;
+		for (int b = 0; b < btElasticPlasticState::BRANCHES && yield > 0; ++b)
+			force[k] += double(model.m_state.m_branch[b][dof]);
+		way[k] = yield > 0 ? double(rate[dof]) : 0;
+		work += force[k] * way[k];
+		const double share = yield > 0 ? fabs(force[k]) / yield : 0,
+					 elastic = yield > 0 ? double(capacity.m_stiffness[dof]) * double(dt) * way[k] / yield : 0;
+		load += share;
+		shear += k < 3 ? 0 : share;
+		grown += elastic * elastic;
+		m_alone[k] = yield;
+	}
+	if (!(load > LEAST_LOAD) || !(shear > LEAST_SHEAR) || !collect(model))
+		return;
+	for (int k = 0; k < 6; ++k)
+	{
+		force[k] = m_alone[k] > 0 ? (force[k] - (k < 3 ? m_middle[k] : 0)) / m_alone[k] : 0;
+		way[k] *= m_alone[k];
+	}
+	double q[6];
+	const double share = search(force, q);
+	m_left.resize(int(m_fibres.size()));
+	for (int i = 0; i < m_left.size(); ++i)
+	{
+		const Fibre& fibre = m_fibres[size_t(i)];
+		const double slip = flowOf(fibre, q, false),
+					 taken = fibre.m_flow > 0 ? btMin(share, 1.) * slip / fibre.m_flow : 0;
+		m_left[i] = btScalar(sqrt(btMax(0., 1 - taken * taken)));
+	}
+	findShares(force, share, force[0] * q[0] + force[1] * q[1] + force[2] * q[2]);
+	if (share > NEAR && work > 0)
+		follow(way, btMin(1., (share - NEAR) / (1 - NEAR)) * btMin(MOST_TURN, sqrt(grown)));
+}
+}  // namespace btElasticPlastic

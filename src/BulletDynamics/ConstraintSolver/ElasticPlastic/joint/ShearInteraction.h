@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_SHEAR_INTERACTION_H
+#define BT_ELASTIC_PLASTIC_SHEAR_INTERACTION_H
+
+#include <vector>
+
+#include "JointModel.h"
+
+namespace btElasticPlastic
+{
+/// What shears and torsion leave of the fibres' strength, and the fibres and each other of theirs, for a step.
+///
+/// Where a fibre bears a normal stress s and a shear stress t, it flows at (s / s_y)^2 + (t / t_y)^2 = 1 (von Mises). With an elongation and
+/// turns q_n and slips and a twist q_s of the whole section, which give fibre i the elongation a_i q_n and the slip b_i q_s, a section of such
+/// fibres bears in the direction q at most
+///
+///     h(q) = sum w_i n_i,   n_i^2 = (a_i q_n)^2 + |b_i q_s|^2,
+///
+/// w_i its strength, with b_i such that each of shears and torsion alone comes to its yield value. The forces F with which the step begins are
+/// at the share g = max F q / h(q) of what the section bears in their direction. There fibre i is flowing by the share |b_i q_s| / n_i = u_i in
+/// shear: so much of its strength is taken once F has grown by 1 / g. Now it is g u_i, and sqrt(1 - (g u_i)^2) is left for its
+/// normal force. What F leaves of shears and torsion is found in an ellipsoid that touches the surface where F grows to. On the surface the bounds'
+/// corner is F itself.
+///
+/// In a section that flows the bounds go on from there to where the surface's normal is the way in which the section moves, by as much as that
+/// would load it in the step if it was elastic: so flow comes to follow the normal, as von Mises' does.
+///
+/// The maximum is searched by weighted least squares: F is borne by springs w_i / n_i with the n_i of the search before. Each
+/// search makes h less.
+///
+/// All of this follows from the forces and velocities with which the step begins, and bounds are fixed within the step, as they are for any other
+/// row. Its error is of the first order of the step: in one step forces may grow beyond the surface, and in the next one they flow back to it.
+class ShearInteraction
+{
+public:
+	/// \param rate  of strain, with which the step begins
+	void find(const JointModel& model, const btScalar rate[BT_EP_DOF_COUNT], btScalar dt);
+
+	/// What is left of a fibre's strength.
+	btScalar getLeft(int fibre) const { return m_left.size() > 0 ? m_left[fibre] : btScalar(1); }
+
+	/// The same of the yield value of a shear or torsion.
+	btScalar getShare(int dof) const
+	{
+		return dof >= BT_EP_SHEAR_Y && dof <= BT_EP_TORSION ? m_share[dof - BT_EP_SHEAR_Y] : btScalar(1);
+	}
+
+private:
+	struct Fibre
+	{
+		double m_strength;
+		double m_normal[3];   ///< elongation by e, a_y, a_z
+		double m_slip[2][3];  ///< slip along y and z, or along a wall and nothing, by slips and the twist
+		double m_flow;        ///< n
+	};
+	struct Matrix
+	{
+		double m_elements[6];  ///< xx, xy, xz, yy, yz, zz
+
+		void add(double weight, const double row[3]);
+		Matrix inverse() const;
+		void multiply(const double x[3], double result[3]) const;
+	};
+
+	bool collect(const JointModel& model);
+	double search(const double force[6], double q[6]);
+	double flowOf(const Fibre& fibre, const double q[6], bool withNormal) const;
+	void findShares(const double force[6], double share, double bears);
+	void follow(const double q[6], double amount);
+
+	std::vector<Fibre> m_fibres;
+	double m_alone[6];   ///< what the section bears of N, M_y, M_z, V_y, V_z, T by itself, about the middle [N], [N m]
+	double m_middle[3];  ///< N, M_y, M_z in the middle of fibres of unequal strengths
+	Matrix m_matrix;     ///< of the last search, of shears and torsion, inverted
+	double m_most = 0;   ///< sum of w n with which it was made
+	btAlignedObjectArray<btScalar> m_left;  ///< none: all of it
+	btScalar m_share[3] = {1, 1, 1};
+};
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_SHEAR_INTERACTION_H
