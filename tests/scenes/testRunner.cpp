@@ -109,6 +109,10 @@ TEST(EpRun, WritesWhatProbedSectionsBear)
 	EXPECT_NEAR(most, 2e6, 2e6 * 1e-5);
 	EXPECT_NEAR(moment[1], 100e3, 100e3 * 1e-3);
 	EXPECT_NEAR(moment[0], 50e3, 50e3 * 1e-3);
+	file.close();
+	// A scene without fibres leaves none of another one's in its folder.
+	EXPECT_EQ(epRun(folder.write("fall.json", FALL) + " --out " + out).status, 0);
+	EXPECT_FALSE(std::ifstream(out + "/strength.csv").is_open());
 }
 
 TEST(EpRun, TellsByItsStatus)

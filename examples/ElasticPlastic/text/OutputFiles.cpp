@@ -33,4 +33,13 @@ std::string writeFile(const std::string& directory, const std::string& name, con
 	writeText(file, text);
 	return file;
 }
+
+void removeFile(const std::string& directory, const std::string& name)
+{
+	const std::filesystem::path file = std::filesystem::path(directory) / name;
+	std::error_code error;
+	std::filesystem::remove(file, error);
+	if (error)
+		throw std::runtime_error("cannot remove '" + file.string() + "': " + error.message());
+}
 }  // namespace ep

@@ -16,6 +16,8 @@ void writeText(const std::string& file, const std::string& text);
 
 /// \return the file, directory/name
 std::string writeFile(const std::string& directory, const std::string& name, const std::string& text);
+/// Does nothing where there is no such file.
+void removeFile(const std::string& directory, const std::string& name);
 }  // namespace ep
 
 #endif  // EP_OUTPUT_FILES_H

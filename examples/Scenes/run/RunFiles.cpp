@@ -193,7 +193,10 @@ void RunFiles::write(const std::string& folder) const
 	writeFile(folder, "events.csv", eventsCsv());
 	writeFile(folder, "joints.csv", jointsCsv());
 	const std::string strength = strengthCsv();
-	if (!strength.empty())
+	if (strength.empty())
+		// Of another scene that was run with this folder.
+		removeFile(folder, "strength.csv");
+	else
 		writeFile(folder, "strength.csv", "joint,moment,when,axial_N,moment_Nm\n" + strength);
 	// Last: a folder with a summary is whole.
 	writeFile(folder, "summary.json", summary().dump(2) + "\n");
