@@ -565,8 +565,9 @@ void Sequence::badCapacity()
 									 &fibre.m_stiffness,   &fibre.m_tension,
 									 &fibre.m_compression, &fibre.m_stretchLimit,
 									 &fibre.m_crushLimit,  &fibre.m_rateReference,
+									 &fibre.m_wall[0],     &fibre.m_twist[1],
 									 &fibre.m_rateExponent};
-		*numbers[m_chance.below(9)] = m_chance.bad();
+		*numbers[m_chance.below(11)] = m_chance.bad();
 		if (m_chance.oneIn(4))
 			(m_chance.oneIn(2) ? fibre.m_firstPoint : fibre.m_numPoints) = m_chance.badDof();
 		if (bad.m_curvePoints.size() > 0 && m_chance.oneIn(2))

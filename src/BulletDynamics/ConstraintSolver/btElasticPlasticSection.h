@@ -86,7 +86,7 @@ struct btElasticPlasticSection
 	btElasticPlasticFault m_fault;
 
 	/// The same section cut into fibres: in joints with it axial force, bending moments, shears and torsion yield together, as in the section itself,
-	/// instead of each by itself. What it can bear is then right within a few per cent in every direction of N, M_y and M_z, and exact
+	/// instead of each by itself. What it can bear is then right within a few per cent in every direction, and exact
 	/// where only one of them acts; independent yield values allow up to twice that where all act. \see docs/theory.md
 	/// \param count  about how many, 4 to 400; 0: as many as are right within 3 %. A rectangle takes 12 (4 %), 16 (2.5 %) or 36 (1 %), a
 	///               circle 14 (3.2 %), 20 (1.8 %) or 33 (1.1 %), a tube as many as are asked for (20: 0.9 %), another section multiples
@@ -94,8 +94,8 @@ struct btElasticPlasticSection
 	///               asked for, 36 by default, and some 100 for 1 %. Each bolt is one.
 	/// \param withShear  whether shears and torsion yield together with them: all six forces are then right within 8 % of von Mises' theory,
 	///               and shear takes of the fibres' strength, by the walls that bear it. For sections of materials as strong in tension as in
-	///               compression; polygon() is left out. false: each by itself, up to 1.65 times what the section bears where all act; a step
-	///               of a joint that is loaded to more than half of its strength takes some 3 us less
+	///               compression; polygon() is left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where
+	///               they act together with the rest; a joint's step is an eighth to a quarter shorter where it is loaded beyond half of its strength
 	btElasticPlasticSection withFibres(int count = 0, bool withShear = true) const;
 
 	/// Adds a bar, an anchor or a bolt: one more fibre, of a material of its own. Cut the section into fibres first.

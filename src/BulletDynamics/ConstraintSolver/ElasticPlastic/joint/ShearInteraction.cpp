@@ -16,6 +16,8 @@ const double LEAST_SHEAR = 0.02;
 /// Flow of a fibre over the mean, below which it counts as this: the surface's edges are rounded by as much.
 const double LEAST_FLOW = 1e-3;
 const int SEARCHES = 12;
+/// What the last search has added to the share.
+const double CLOSE_ENOUGH = 1e-4;
 /// Share of what the section bears from which on it is taken to flow.
 const double NEAR = 0.95;
 /// Part of the way to the bounds that belong to the present flow, in a step.
@@ -23,6 +25,8 @@ const double MOST_TURN = 0.3;
 /// What is left of the yield values of shears and torsion at least. In a section that flows in one of them the others would else have none, and
 /// never come back.
 const double LEAST_SHARE = 0.1;
+/// The same of fibres: one without any strength in tension would open as a crack does.
+const double LEAST_LEFT = 1e-3;
 /// Keeps what fibres on one line do not determine out of the way.
 const double NEXT_TO_NOTHING = 1e-9;
 }  // namespace
@@ -76,17 +80,20 @@ bool ShearInteraction::collect(const JointModel& model)
 		Fibre fibre = {stronger * (double(strength.m_tension) + double(strength.m_compression)) / 2,
 					   {1, double(own.m_z), -double(own.m_y)},
 					   {},
+					   0,
 					   1};
 		const double wall[2] = {double(own.m_wall[0]), double(own.m_wall[1])},
 					 twist[2] = {double(own.m_twist[0]), double(own.m_twist[1])};
-		if (own.m_bearsShear && (wall[0] != 0 || wall[1] != 0))
+		const bool isWall = wall[0] != 0 || wall[1] != 0;
+		fibre.m_numSlips = own.m_bearsShear ? (isWall ? 1 : 2) : 0;
+		if (fibre.m_numSlips == 1)
 		{
 			fibre.m_slip[0][0] = wall[0];
 			fibre.m_slip[0][1] = wall[1];
 			fibre.m_slip[0][2] = wall[0] * twist[0] + wall[1] * twist[1];
 		}
-		else if (own.m_bearsShear)
-			for (int k = 0; k < 2; ++k)
+		else
+			for (int k = 0; k < fibre.m_numSlips; ++k)
 			{
 				fibre.m_slip[k][k] = 1;
 				fibre.m_slip[k][2] = twist[k];
@@ -116,8 +123,11 @@ double ShearInteraction::flowOf(const Fibre& fibre, const double q[6], bool with
 	{ return row[0] * x[0] + row[1] * x[1] + row[2] * x[2]; };
 	if (withNormal)
 		square += along(fibre.m_normal, q) * along(fibre.m_normal, q);
-	for (const auto& slip : fibre.m_slip)
+	for (int r = 0; r < fibre.m_numSlips; ++r)
+	{
+		const double* const slip = fibre.m_slip[r];
 		square += along(slip, q + 3) * along(slip, q + 3);
+	}
 	return sqrt(square);
 }
 
@@ -125,7 +135,7 @@ double ShearInteraction::flowOf(const Fibre& fibre, const double q[6], bool with
 /// \return the share of what the section bears
 double ShearInteraction::search(const double force[6], double q[6])
 {
-	double strength = 0, most = 0;
+	double strength = 0, most = 0, share = 0;
 	for (Fibre& fibre : m_fibres)
 	{
 		fibre.m_flow = 1;
@@ -142,8 +152,8 @@ double ShearInteraction::search(const double force[6], double q[6])
 			const double flow = btMax(fibre.m_flow, least), weight = fibre.m_strength / flow;
 			m_most += fibre.m_strength * flow;
 			normal.add(weight, fibre.m_normal);
-			for (const auto& row : fibre.m_slip)
-				slip.add(weight, row);
+			for (int r = 0; r < fibre.m_numSlips; ++r)
+				slip.add(weight, fibre.m_slip[r]);
 		}
 		m_matrix = slip.inverse();
 		m_matrix.multiply(force + 3, q + 3);
@@ -154,11 +164,15 @@ double ShearInteraction::search(const double force[6], double q[6])
 			fibre.m_flow = flowOf(fibre, q, true);
 			most += fibre.m_strength * fibre.m_flow;
 		}
+		double work = 0;
+		for (int i = 0; i < 6; ++i)
+			work += force[i] * q[i];
+		const double before = share;
+		share = most > 0 ? work / most : 0;
+		if (!(share - before > CLOSE_ENOUGH * share))
+			break;
 	}
-	double work = 0;
-	for (int i = 0; i < 6; ++i)
-		work += force[i] * q[i];
-	return most > 0 ? work / most : 0;
+	return share;
 }
 
 /// By Cauchy and Schwarz h(q)^2 <= q A q sum w n, with the matrix A of a search and its n: what the section bears is within the ellipsoid
@@ -197,7 +211,7 @@ void ShearInteraction::follow(const double q[6], double amount)
 		const double flow = flowOf(fibre, q, true), slip = flowOf(fibre, q, false);
 		if (!(flow > 0))
 			continue;
-		const double normal = sqrt(btMax(0., 1 - slip * slip / (flow * flow)));
+		const double normal = btMax(LEAST_LEFT, sqrt(btMax(0., 1 - slip * slip / (flow * flow))));
 		m_left[int(i)] += btScalar(amount * (normal - double(m_left[int(i)])));
 		for (const auto& row : fibre.m_slip)
 		{
@@ -243,13 +257,16 @@ void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_D
 	}
 	double q[6];
 	const double share = search(force, q);
+	// Of strengths that are out of all proportion.
+	if (!btElasticPlasticIsFinite(share + q[0] + q[1] + q[2] + q[3] + q[4] + q[5]))
+		return;
 	m_left.resize(int(m_fibres.size()));
 	for (int i = 0; i < m_left.size(); ++i)
 	{
 		const Fibre& fibre = m_fibres[size_t(i)];
 		const double slip = flowOf(fibre, q, false),
 					 taken = fibre.m_flow > 0 ? btMin(share, 1.) * slip / fibre.m_flow : 0;
-		m_left[i] = btScalar(sqrt(btMax(0., 1 - taken * taken)));
+		m_left[i] = btScalar(btMax(LEAST_LEFT, sqrt(btMax(0., 1 - taken * taken))));
 	}
 	findShares(force, share, force[0] * q[0] + force[1] * q[1] + force[2] * q[2]);
 	if (share > NEAR && work > 0)

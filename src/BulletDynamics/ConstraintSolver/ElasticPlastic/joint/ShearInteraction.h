@@ -53,7 +53,8 @@ private:
 		double m_strength;
 		double m_normal[3];   ///< elongation by e, a_y, a_z
 		double m_slip[2][3];  ///< slip along y and z, or along a wall and nothing, by slips and the twist
-		double m_flow;        ///< n
+		int m_numSlips;
+		double m_flow;  ///< n
 	};
 	struct Matrix
 	{
