@@ -27,6 +27,9 @@ namespace btElasticPlastic
 /// In a section that flows the bounds go on from there to where the surface's normal is the way in which the section moves, by as much as that
 /// would load it in the step if it was elastic: so flow comes to follow the normal, as von Mises' does.
 ///
+/// Where next to none of the section's work is by slip, shears and torsion have room to grow: a hinge whose shear rises would else slip in each
+/// step by what the one before did not know.
+///
 /// The maximum is searched by weighted least squares: F is borne by springs w_i / n_i with the n_i of the search before. Each
 /// search makes h less.
 ///
