@@ -41,6 +41,19 @@ void setZero(btConstraintArray& rows)
 		rows[i].m_appliedImpulse = rows[i].m_appliedPushImpulse = 0;
 }
 
+/// Bullet's friction knows what forces from outside do to velocities in the step, but not what torques do to spins. It would hold what was,
+/// a step late, and push a structure along that a torque turns to and fro.
+void takeTorques(btConstraintArray& friction, const btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i = 0; i < friction.size(); ++i)
+	{
+		btSolverConstraint& row = friction[i];
+		const btVector3 &spinA = bodies[row.m_solverBodyIdA].m_externalTorqueImpulse,
+						&spinB = bodies[row.m_solverBodyIdB].m_externalTorqueImpulse;
+		row.m_rhs -= row.m_jacDiagABInv * (row.m_relpos1CrossNormal.dot(spinA) + row.m_relpos2CrossNormal.dot(spinB));
+	}
+}
+
 /// Applies gravity to bodies that Bullet has woken in this step. Bullet applies gravity first and then wakes the rest of an
 /// island, so the woken bodies would have no weight for a step, and a structure that carries its own weight would spring up.
 /// Woken bodies are those that want to sleep but have no time at rest: others with that state have been at rest for a while.
@@ -177,6 +190,8 @@ btScalar IslandSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bod
 														 btTypedConstraint** constraints, int numConstraints,
 														 const btContactSolverInfo& info, btIDebugDraw* debugDrawer)
 {
+	takeTorques(m_tmpSolverContactFrictionConstraintPool, m_tmpSolverBodyPool);
+	takeTorques(m_tmpSolverContactRollingFrictionConstraintPool, m_tmpSolverBodyPool);
 	if (m_direct.hasJoints())
 	{
 		m_direct.solve(pools(), info,
