@@ -33,21 +33,30 @@ Settings with(Solver solver, double friction)
 
 const char* nameOf(Solver solver) { return solver == Solver::Direct ? "direct" : "iterative"; }
 
-/// Losses over outer steps of 0.5 to 0.01 ms, each of a specimen that bends and passes whole.
+/// Losses over outer steps of 0.5 to 0.01 ms, each of a specimen that bends and passes whole. With friction, which sticks and slips, runs
+/// that begin a micrometre apart differ by up to 1.3 %, by 0.3 % in the mean square: there each is the mean of nine.
 std::vector<double> lossesOverSteps(Settings s)
 {
 	std::vector<double> losses;
 	for (double step : {0.5e-3, 0.2e-3, 0.1e-3, 0.05e-3, 0.02e-3, 0.01e-3})
 	{
 		s.step = step;
-		const Result r = run(s);
-		SCOPED_TRACE(testing::Message() << step);
-		EXPECT_EQ(Outcome::Passed, r.outcome);
-		EXPECT_FALSE(r.broken);
-		losses.push_back(r.loss());
+		const int shifts = s.friction > 0 ? 4 : 0;
+		double sum = 0;
+		for (int i = -shifts; i <= shifts; ++i)
+		{
+			s.shift = i * 1e-6;
+			const Result r = run(s);
+			EXPECT_EQ(Outcome::Passed, r.outcome) << step;
+			EXPECT_FALSE(r.broken) << step;
+			sum += r.loss();
+		}
+		s.shift = 0;
+		losses.push_back(sum / (2 * shifts + 1));
 		if (s.friction == 0)
 		{
 			// What is asked of the test; contacts and numerical dissipation are what lies between.
+			const Result r = run(s);
 			const double expected = r.plasticMoment * r.hingeAngle + r.specimenEnergy;
 			EXPECT_NEAR(expected, r.loss(), 0.015 * expected);
 		}
