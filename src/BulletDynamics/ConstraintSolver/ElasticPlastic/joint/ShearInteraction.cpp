@@ -24,7 +24,7 @@ const double CLOSE_ENOUGH = 1e-4;
 /// Share of what the section bears from which on it is taken to flow.
 const double NEAR = 0.95;
 /// Part of the way to the bounds that belong to the present flow, in a step.
-const double MOST_TURN = 0.3;
+const double LONGEST_TURN = 0.3;
 /// What is left of the yield values of shears and torsion at least. In a section that flows in one of them the others would else have none, and
 /// never come back.
 const double LEAST_SHARE = 0.1;
@@ -273,7 +273,7 @@ void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_D
 	}
 	findShares(force, share, force[0] * q[0] + force[1] * q[1] + force[2] * q[2]);
 	if (share > NEAR && work > 0)
-		follow(way, btMin(1., (share - NEAR) / (1 - NEAR)) * btMin(MOST_TURN, sqrt(grown)));
+		follow(way, btMin(1., (share - NEAR) / (1 - NEAR)) * btMin(LONGEST_TURN, sqrt(grown)));
 	// What shear and torsion do themselves.
 	double slipped = 0;
 	for (int k = 3; k < 6; ++k)
