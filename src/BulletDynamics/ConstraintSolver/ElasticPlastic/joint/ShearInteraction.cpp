@@ -22,7 +22,7 @@ const int SEARCHES = 12;
 /// What the last search has added to the share.
 const double CLOSE_ENOUGH = 1e-4;
 /// Share of what the section bears from which on it is taken to flow.
-const double NEAR = 0.95;
+const double FLOWS_FROM = 0.95;
 /// Part of the way to the bounds that belong to the present flow, in a step.
 const double LONGEST_TURN = 0.3;
 /// What is left of the yield values of shears and torsion at least. In a section that flows in one of them the others would else have none, and
@@ -272,8 +272,8 @@ void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_D
 		m_left[i] = btScalar(btMax(LEAST_LEFT, sqrt(btMax(0., 1 - taken * taken))));
 	}
 	findShares(force, share, force[0] * q[0] + force[1] * q[1] + force[2] * q[2]);
-	if (share > NEAR && work > 0)
-		follow(way, btMin(1., (share - NEAR) / (1 - NEAR)) * btMin(LONGEST_TURN, sqrt(grown)));
+	if (share > FLOWS_FROM && work > 0)
+		follow(way, btMin(1., (share - FLOWS_FROM) / (1 - FLOWS_FROM)) * btMin(LONGEST_TURN, sqrt(grown)));
 	// What shear and torsion do themselves.
 	double slipped = 0;
 	for (int k = 3; k < 6; ++k)
