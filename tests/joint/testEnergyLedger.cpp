@@ -118,8 +118,8 @@ TEST(EnergyLedger, FreeStructuresOfTheDirectFormTellNoMoreThanTheyHad)
 			FreeStructure structure(Solver::Direct, seed);
 			World& world = structure.m_world;
 			const double dt = structure.spread(1. / 1000, 1. / 30), first = world.kineticEnergy();
-			// In later steps, too, places are ahead.
-			const double ahead = 1e-4 * first;
+			// In later steps, too, places are ahead, and nothing is held back: 0.1 % is allowed.
+			const double ahead = 1e-3 * first;
 			for (int i = 0; i < 100; ++i)
 			{
 				world.step(btScalar(changes ? dt * structure.spread(0.3, 1 / 0.3) : dt));
