@@ -191,6 +191,16 @@ class Joint(Thing):
 	def _now(self) -> Dict[str, Any]:
 		return self._run.joint(self._index)
 
+	def strength(self, about: str = "y", now: bool = False) -> NDArray[np.float64]:
+		"""What a section with fibres bears of axial force and of one moment together: the corners of a convex line, a row (N, M) each [N], [N m].
+
+		It closes from the last corner to the first. With now=True it is what is left: without fibres that have gone, and without the tension of
+		those that have cracked. Empty of a joint without fibres. Raises ValueError if the moment is about neither "y" nor "z".
+		"""
+		if about not in ("y", "z"):
+			raise ValueError(f'a section bends about "y" or "z", not about {about!r}')
+		return self._run.strength(self._index, about == "z", now)
+
 	def cut(self) -> None:
 		"""Takes it out of the world."""
 		self._run.cut_joint(self._index)

@@ -10,6 +10,7 @@
 
 #include "Run.h"
 #include "scenefile/Complaints.h"
+#include "simulation/SectionStrength.h"
 #include "world/JointReading.h"
 
 namespace py = pybind11;
@@ -107,6 +108,21 @@ py::dict jointOf(const ep::Run& run, int number)
 	return reading;
 }
 
+/// The corners of the line, a row each: N and M.
+py::array_t<double> strengthOf(const ep::Run& run, int number, bool isAboutZ, bool isNow)
+{
+	const ep::Simulation& s = run.simulation();
+	const btElasticPlasticJoint* const joint = s.joint(int(checked(number, s.scene().joints)));
+	const auto line = joint ? ep::sectionStrength(*joint, isAboutZ, isNow) : std::vector<std::pair<double, double>>();
+	py::array_t<double> corners({py::ssize_t(line.size()), py::ssize_t(2)});
+	for (size_t i = 0; i < line.size(); ++i)
+	{
+		corners.mutable_at(py::ssize_t(i), 0) = line[i].first;
+		corners.mutable_at(py::ssize_t(i), 1) = line[i].second;
+	}
+	return corners;
+}
+
 py::tuple eventOf(const ep::Run& run, size_t number)
 {
 	const ep::Simulation& s = run.simulation();
@@ -155,6 +171,7 @@ PYBIND11_MODULE(_core, m)
 		.def("joints_like", &ep::Run::jointsLike)
 		.def("body", &bodyOf)
 		.def("joint", &jointOf)
+		.def("strength", &strengthOf)
 		.def("column_titles",
 			 [](const ep::Run& run)
 			 {

@@ -52,6 +52,22 @@ class Computing(unittest.TestCase):
 			np.testing.assert_allclose(table["end [m]"], scene.probes["end [m]"], rtol=1e-8)
 			self.assertEqual(scene.summary()["probes"]["end [m]"]["last"], scene.probes["end [m]"][-1])
 
+	def test_tells_what_a_section_bears(self):
+		rod = json.loads(json.dumps(ROD))
+		rod["joints"][0]["section"] = {"rectangle": [0.1, 0.2], "fibres": 64}
+		joint = ep.Scene(rod).joint("rod")
+		for about, depth in (("y", 0.2), ("z", 0.1)):
+			axial, moment = joint.strength(about).T
+			area = 0.1 * 0.2
+			self.assertAlmostEqual(max(axial) / (200e6 * area), 1, 9)
+			self.assertAlmostEqual(min(axial) / (200e6 * area), -1, 9)
+			# The plastic modulus b d^2 / 4, of lumped fibres.
+			self.assertAlmostEqual(max(moment) / (200e6 * area * depth / 4), 1, delta=0.03)
+			np.testing.assert_array_equal(joint.strength(about, now=True), joint.strength(about))
+		with self.assertRaisesRegex(ValueError, "'x'"):
+			joint.strength("x")
+		self.assertEqual(ep.Scene(ROD).joint("rod").strength().shape, (0, 2))
+
 	def test_takes_numbers_of_numpy_and_settings_by_path(self):
 		scene = ep.Scene({**BOX, "end": {"time": np.float32(0.5)}}, {"mass": np.int64(4), "bodies.box.at": np.array([1, 2, 3])})
 		self.assertEqual(scene.body("box").mass, 4)
