@@ -74,11 +74,12 @@ struct PulledBar
 		m_last->setLinearVelocity(btVector3(btScalar(speed), 0, 0));
 		m_world.step(btScalar(dt));
 	}
+	/// Force times way.
 	double plasticEnergy() const
 	{
 		double sum = 0;
 		for (const btElasticPlasticJoint* joint : m_joints)
-			sum += joint->getPlasticEnergy();
+			sum += joint->getState().m_plasticEnergy;
 		return sum;
 	}
 	bool isApart() const

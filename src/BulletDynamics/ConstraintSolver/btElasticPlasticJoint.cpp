@@ -220,12 +220,12 @@ double btElasticPlasticJoint::getElasticEnergy() const { return m_works->m_model
 
 double btElasticPlasticJoint::getPlasticEnergy() const
 {
-	return getState().m_plasticEnergy * m_works->m_model.paidShare();
+	return m_works->m_model.plasticEnergy();
 }
 
 double btElasticPlasticJoint::getDampingEnergy() const
 {
-	return getState().m_dampingEnergy * m_works->m_model.paidShare();
+	return m_works->m_model.dampingEnergy();
 }
 
 double btElasticPlasticJoint::getWork() const { return getState().m_work; }
