@@ -3,6 +3,8 @@
 
 #include "btElasticPlasticCapacity.h"
 
+#include <initializer_list>
+
 #include "LinearMath/btMinMax.h"
 
 namespace
