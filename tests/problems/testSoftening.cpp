@@ -74,12 +74,11 @@ struct PulledBar
 		m_last->setLinearVelocity(btVector3(btScalar(speed), 0, 0));
 		m_world.step(btScalar(dt));
 	}
-	/// Force times way.
 	double plasticEnergy() const
 	{
 		double sum = 0;
 		for (const btElasticPlasticJoint* joint : m_joints)
-			sum += joint->getState().m_plasticEnergy;
+			sum += joint->getPlasticEnergy();
 		return sum;
 	}
 	bool isApart() const

@@ -220,12 +220,12 @@ double btElasticPlasticJoint::getElasticEnergy() const { return m_works->m_model
 
 double btElasticPlasticJoint::getPlasticEnergy() const
 {
-	return m_works->m_model.plasticEnergy();
+	return getState().m_plasticEnergy * m_works->m_model.paidShare();
 }
 
 double btElasticPlasticJoint::getDampingEnergy() const
 {
-	return m_works->m_model.dampingEnergy();
+	return getState().m_dampingEnergy * m_works->m_model.paidShare();
 }
 
 double btElasticPlasticJoint::getWork() const { return getState().m_work; }

@@ -113,15 +113,15 @@ public:
 	/// may end before the solution, as far as the bodies have given for it: the strain that such a solver leaves is no energy.
 	double getElasticEnergy() const;
 
-	/// Dissipated by plastic flow, as far as the bodies have given for it: at most what the joint has taken from them, less what it stores and
-	/// its material has dissipated [J]. Force times way (m_plasticEnergy of the state) is up to half a step ahead while flow grows faster.
+	/// Dissipated by plastic flow, force times way (m_plasticEnergy of the state) [J]; with such a solver, and of a joint's first step, as far as
+	/// the bodies have given for it.
 	double getPlasticEnergy() const;
 
 	/// Dissipated by the material's damping [J].
 	double getDampingEnergy() const;
 
 	/// Taken from the bodies by the joint in all, less elastic, plastic and damping energy: what the time integration has dissipated [J].
-	/// May be a little negative with the direct form: springs stand half a step ahead of velocities.
+	/// May be a little negative with the direct form: plastic flow counts by the step's last velocity, work by its mean one.
 	double getNumericalEnergy() const;
 
 	/// Taken from the bodies by the joint in all [J].

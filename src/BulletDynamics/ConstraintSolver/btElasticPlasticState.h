@@ -41,8 +41,8 @@ struct btElasticPlasticState
 	double m_plasticEnergy = 0;  ///< dissipated by plastic flow, force at yield times path [J]
 	double m_dampingEnergy = 0;  ///< dissipated by the material's damping [J]
 	double m_storedEnergy =
-		0;  ///< below 0: what bodies still owe, for the springs, or for the two above where no exact solver has the
-			///< joint (EnergyLedger.h) [J]; otherwise, there: in the springs, as far as they have given for it
+		0;  ///< below 0: what bodies still owe for the two above and the springs [J]. Where no exact solver has the
+			///< joint (EnergyLedger.h), otherwise: in the springs, as far as they have given for it
 	double m_placeEnergy = -1;       ///< there: of the bodies' places when the last step had ended; -1: not known [J]
 	btScalar m_plasticPath[6] = {};  ///< sum of |increment| [m], [rad]
 	btScalar m_watched[6] = {};      ///< deformation, elastic and plastic, when the load last changed [m], [rad]

@@ -492,39 +492,26 @@ btScalar JointModel::fibreUtilisation() const
 
 double JointModel::elasticEnergy() const
 {
-	const double springs = springEnergy(), stored = m_state.m_storedEnergy;
+	const double springs = springEnergy();
 	if (m_state.m_solvedExactly)
-		return springs - fmin(springs, fmax(-stored, 0));
-	return m_state.m_lastStep == 0 ? springs : fmax(fmin(springs, stored), 0);
+		return springs - fmin(springs, fmax(-m_state.m_storedEnergy - dissipatedEnergy(), 0));
+	return m_state.m_lastStep == 0 ? springs : fmax(fmin(springs, m_state.m_storedEnergy), 0);
 }
 
-/// Flow counts by the way that places go, which is by the velocity at a step's end, and bodies give by the mean of it and of the one before.
-/// What flow is ahead by that is no energy before they have given it, and never if it is a contact that stops them.
-double JointModel::plasticEnergy() const
-{
-	const double all = m_state.m_plasticEnergy;
-	if (!m_state.m_solvedExactly || m_isPaper)
-		return all * paidShare();
-	return fmax(fmin(all, m_state.m_work - springEnergy() - m_state.m_dampingEnergy), 0);
-}
-
-double JointModel::dampingEnergy() const { return m_state.m_dampingEnergy * paidShare(); }
-
-/// Of what has been dissipated where no exact solver has the joint, what bodies have given for so far.
 double JointModel::paidShare() const
 {
-	const double dissipated = m_state.m_plasticEnergy + m_state.m_dampingEnergy, stored = m_state.m_storedEnergy;
-	return !m_state.m_solvedExactly && stored < 0 && dissipated > 0 ? fmax(1 + stored / dissipated, 0) : 1;
+	const double dissipated = dissipatedEnergy();
+	return m_state.m_storedEnergy < 0 && dissipated > 0 ? fmax(1 + m_state.m_storedEnergy / dissipated, 0) : 1;
 }
 
-/// Before the first step nothing is behind a joint, and its force begins as that of a leapfrog does: its springs are half a step ahead of
-/// the bodies' velocities, and of what these have given. Under a load they may stay ahead, so that what is owed is halved from step
-/// to step.
+/// Before the first step nothing is behind a joint, and its force begins as that of a leapfrog does: places and what depends on them are
+/// half a step ahead of the bodies' velocities, and of what these have given. Under a load they may stay ahead, so that what is owed is halved
+/// from step to step.
 void JointModel::findOwed(bool isFirstStep)
 {
 	if (m_isPaper || (!isFirstStep && m_state.m_storedEnergy >= 0))
 		return;
-	const double ahead = fmax(springEnergy() - m_state.m_work, 0);
+	const double ahead = fmax(springEnergy() + dissipatedEnergy() - m_state.m_work, 0);
 	m_state.m_storedEnergy = -(isFirstStep ? ahead : fmin(ahead, -0.5 * m_state.m_storedEnergy));
 }
 

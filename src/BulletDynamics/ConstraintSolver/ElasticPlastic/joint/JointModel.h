@@ -93,12 +93,14 @@ struct JointModel
 	/// In the springs, and in those by which the material damps [J].
 	double elasticEnergy() const;
 
-	/// Of flow and of damping, as far as bodies have given for it [J].
-	double plasticEnergy() const;
-	double dampingEnergy() const;
+	/// Of what has been dissipated, the share that bodies have given for so far.
+	double paidShare() const;
 
-	/// After a step that has been solved exactly: what bodies still owe for the springs after the joint's first step.
+	/// After a step that has been solved exactly: what bodies still owe for the joint's first step.
 	void findOwed(bool isFirstStep);
+
+	/// By flow and by damping, whether it has been given for or not [J].
+	double dissipatedEnergy() const { return m_state.m_plasticEnergy + m_state.m_dampingEnergy; }
 
 	/// Of the springs' forces and deformations [J].
 	double springEnergy() const;
@@ -164,7 +166,6 @@ struct JointModel
 	void wearFibres(btScalar damage);
 
 private:
-	double paidShare() const;
 	RelativeRotation relativeRotation() const;
 	bool measureReference(Kinematics& kinematics) const;
 	bool pointsTowardsB(const Kinematics& k) const;
