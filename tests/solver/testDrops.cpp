@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// Random things dropped on random structures: nothing makes energy, and recovery of penetration strains no joint.
+// Random things dropped on random structures: bodies have no more energy than at the start.
 
 #include <math.h>
 
