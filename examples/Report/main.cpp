@@ -153,8 +153,10 @@ void run(const Options& o, const char* self)
 	ep::writeText((out / "report.html").string(), ep::htmlOf(problems, records.ofTrials, page));
 	if (!page.warning.empty())
 		std::cout << page.warning << "\n";
-	const std::pair<const char*, ep::Grid> tables[] = {
-		{"overview", ep::overviewOf(problems)}, {"profile", ep::profileOf(problems)}, {"parts", ep::partsOf(problems)}};
+	const std::pair<const char*, ep::Grid> tables[] = {{"overview", ep::overviewOf(problems)},
+													   {"profile", ep::profileOf(problems)},
+													   {"parts", ep::partsOf(problems)},
+													   {"fibres", ep::fibresOf(problems)}};
 	for (const auto& [name, grid] : tables)
 		ep::writeText((out / "pictures" / (std::string(name) + ".svg")).string(), grid.svg());
 	for (const std::string& name : problems.names)

@@ -99,6 +99,29 @@ TEST(SectionFibres, BearWhatTheSectionBearsInAllDirections)
 		EXPECT_LE(deviation(shape.m_section, 0), 0.025) << shape.m_name;
 		EXPECT_LE(deviation(shape.m_section, 60), 0.0115) << shape.m_name;
 	}
+	EXPECT_LE(deviation(shapes()[0].m_section, 4), 0.245);
+	EXPECT_LE(deviation(shapes()[0].m_section, 8), 0.08);
+}
+
+TEST(SectionFibres, AreAsManyAsAnErrorAsksFor)
+{
+	for (const Shape& shape : shapes())
+	{
+		int before = 0;
+		for (const double error : {0.3, 0.1, 0.05, 0.03, 0.0115})
+		{
+			const btElasticPlasticSection section = shape.m_section.withFibresFor(btScalar(error));
+			EXPECT_FALSE(section.m_fault);
+			const int count = section.m_fibres.size();
+			EXPECT_LE(deviation(shape.m_section, count), error) << shape.m_name;
+			EXPECT_GE(count, before) << shape.m_name;
+			before = count;
+		}
+		EXPECT_GT(before, shape.m_section.withFibresFor(btScalar(0.3)).m_fibres.size()) << shape.m_name;
+	}
+	for (const btScalar wrong : {btScalar(0), btScalar(-1), btScalar(NAN)})
+		EXPECT_STREQ("error of a section that is cut into fibres",
+					 shapes()[0].m_section.withFibresFor(wrong).m_fault.m_quantity);
 }
 
 TEST(SectionFibres, AreExactWhereOneForceActsAlone)

@@ -17,6 +17,9 @@ using namespace ep;
 /// have the error of their lumping, of the elastic sway that limit analysis does not know, and of the search for the load (a
 /// thousandth each); a cantilever that swings loses its deeper half-periods first; a travelling hinge and a blow on contacts
 /// are of first order at best.
+/// Sections are as right as the number of fibres that they take by themselves (SectionFibres.*: 2.5 % of the most that a section bears in a
+/// direction is up to 3.5 % along a load), of concrete 36, where a thin edge alone is pressed; shear by the half that is observed
+/// of the 8 % that it is right within. What a body goes along the axis while it turns is what few fibres tell worst (docs/limits.md).
 struct Bound
 {
 	const char* name;
@@ -48,6 +51,17 @@ const Bound BOUNDS[] = {
 	{"parkes-heavy", 0.25, 0.1},
 	{"parkes-light", 0.6, 0.3},
 	{"dropped-mass", 0.12, 0.085},
+	{"section-rectangle", 0.035, 0.035},
+	{"section-circle", 0.02, 0.02},
+	{"section-tube", 0.01, 0.01},
+	{"section-i", 0.02, 0.02},
+	{"section-concrete", 0.04, 0.04},
+	{"section-shear", 0.04, 0.04},
+	{"hardening-cycle", 0.002, 0.002},
+	{"crack-opening", 0.04, 0.01},
+	{"beam-held-pushed", 0.03, 0.025},
+	{"beam-held-struck", 0.1, 0.02},
+	{"body-flies-and-turns", 0.4, 0.4},
 };
 
 class Problems : public testing::TestWithParam<Bound>

@@ -4,6 +4,9 @@
 // What reference problems without a formula are compared with: explicit integration of the same blocks, which shares nothing with
 // the library.
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "problems/PlanarBlocks.h"
@@ -42,6 +45,27 @@ double parkesTip(double mass, double velocity, double dt)
 /// Changes by 2e-4 from 1 us to 0.1 us.
 TEST(References, ParkesHeavy) { EXPECT_NEAR(1, parkesTip(1.5, 25, 1e-6) / exactOf("parkes-heavy"), 3e-4); }
 TEST(References, ParkesLight) { EXPECT_NEAR(1, parkesTip(0.3, 50, 1e-6) / exactOf("parkes-light"), 3e-4); }
+
+/// A body of 20 t that flies at 0.04 m/s and turns at 0.4 rad/s, rigid-plastic: force and moment are where m + n^2 = 1 has its flow as normal.
+TEST(References, BodyFliesAndTurns)
+{
+	const double axial = 20e3, moment = 500, mass = 20e3, inertia = 483.334, dt = 1e-6;
+	double speed = 0.04, spin = 0.4, way = 0, turn = 0;
+	while (speed > 0 || spin > 0)
+	{
+		// (2 n / Np, 1 / Mp) is as (speed, spin), up to the corner at n = 1.
+		const double n = spin > 0 ? std::min(1., speed * axial / (2 * moment * spin)) : 1.;
+		speed = std::max(0., speed - dt * n * axial / mass);
+		spin = std::max(0., spin - dt * (1 - n * n) * moment / inertia);
+		way += dt * speed;
+		turn += dt * spin;
+	}
+	Stepping stepping;
+	stepping.step = 1. / 30;
+	const Outcome outcome = findProblem("body-flies-and-turns")->solve(Solver::Direct, stepping);
+	EXPECT_NEAR(1, way / outcome.quantities[0].exact, 1e-4);
+	EXPECT_NEAR(1, turn / outcome.quantities[1].exact, 1e-4);
+}
 
 /// Mean over whole periods within 10 s, from one sinking past the place at rest to another.
 TEST(References, CantileverSwinging)

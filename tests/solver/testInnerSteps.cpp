@@ -130,9 +130,13 @@ TEST(InnerSteps, AreNotThereForWhatNeedsNone)
 TEST(InnerSteps, KeepToTheErrorInProblemsAtTheGamesStep)
 {
 	// All quantities of all problems at 1/60 s. Left are: the offset of a block that flows by 60 mm to and fro, of which 3 mm stay; a
-	// mass that is dropped on a beam and hops; and waves under a light mass that 64 inner steps do not resolve.
-	const std::map<std::string, double> hard = {
-		{"block-reversed-90kN", 0.2}, {"dropped-mass", 0.1}, {"parkes-light", 0.15}};
+	// mass that is dropped on a beam and hops; waves under a light mass that 64 inner steps do not resolve; a body that tears a crack open in
+	// eight steps, which is no part of the estimate; and what a body goes along the axis as it turns, for which it would take more fibres.
+	const std::map<std::string, double> hard = {{"block-reversed-90kN", 0.2},
+												{"dropped-mass", 0.1},
+												{"parkes-light", 0.15},
+												{"crack-opening", 0.12},
+												{"body-flies-and-turns", 0.4}};
 	for (const Problem& problem : problems())
 	{
 		Stepping stepping;

@@ -6,6 +6,9 @@
 #include "problems/Bars.h"
 #include "problems/Beams.h"
 #include "problems/Blows.h"
+#include "problems/Curves.h"
+#include "problems/HeldBeams.h"
+#include "problems/Sections.h"
 
 namespace ep
 {
@@ -14,7 +17,8 @@ const std::vector<Problem>& problems()
 	static const std::vector<Problem> all = []
 	{
 		std::vector<Problem> list;
-		for (const auto& group : {problemsOfBars(), problemsOfBeams(), problemsOfBlows()})
+		for (const auto& group : {problemsOfBars(), problemsOfBeams(), problemsOfBlows(), problemsOfSections(),
+								  problemsOfCurves(), problemsOfHeldBeams()})
 			list.insert(list.end(), group.begin(), group.end());
 		return list;
 	}();

@@ -56,6 +56,8 @@ struct Problem
 	const char* what;
 	const char* source;  ///< of the exact answer
 	Outcome (*solve)(const Method& method, const Stepping& stepping);
+	/// Whether forces act together in sections that are cut into fibres, as many as the method says.
+	bool hasFibres = false;
 };
 }  // namespace ep
 

@@ -76,7 +76,8 @@ enum : unsigned
 	Torsion = 4,               ///< left to Bullet's class, which lets it go
 	ContactCoupling = 8,       ///< contacts are solved after the joints, by themselves (direct solver)
 	ContinuousCollision = 16,  ///< Bullet's sweep of bodies that move further than their size
-	OfJoints = Elasticity | Shear | Torsion
+	Interaction = 32,          ///< of forces in a section with fibres: each yields by itself
+	OfJoints = Elasticity | Shear | Torsion | Interaction
 };
 }
 
@@ -88,7 +89,8 @@ struct Method
 	JointClass jointClass = JointClass::Spring2;
 	int iterations = 10;                            ///< of iterative solvers, Bullet's default
 	unsigned without = parts::ContinuousCollision;  ///< what is left out
-	MakeEngine engine;                              ///< of another engine than Bullet
+	int fibres = 0;     ///< of sections that are cut into some, about how many; 0: as many as are right within 3 %
+	MakeEngine engine;  ///< of another engine than Bullet
 
 	/// All of the parts?
 	bool has(unsigned these) const { return (without & these) == 0; }

@@ -49,6 +49,8 @@ btElasticPlasticCapacity without(btElasticPlasticCapacity capacity, const Method
 			capacity.clear(dof);
 		else if (!method.has(parts::Elasticity))
 			capacity.setRigidPlastic(dof, capacity.m_yield[dof], capacity.m_ductility[dof]);
+	if (!method.has(parts::Interaction))
+		capacity.m_fibres.clear();
 	return capacity;
 }
 }  // namespace

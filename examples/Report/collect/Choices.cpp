@@ -61,7 +61,12 @@ const std::vector<Named<Scheme>>& schemes()
 												   {"without torsion rows", Scheme::WithoutTorsion},
 												   {"without contact coupling", Scheme::WithoutContactCoupling},
 												   {"without continuous collision", Scheme::WithoutContinuousCollision},
-												   {"without direct solve", Scheme::WithoutDirectSolve}};
+												   {"without direct solve", Scheme::WithoutDirectSolve},
+												   {"independent bounds", Scheme::WithoutInteraction},
+												   {"4 fibres", Scheme::Fibres4},
+												   {"8 fibres", Scheme::Fibres8},
+												   {"16 fibres", Scheme::Fibres16},
+												   {"60 fibres", Scheme::Fibres60}};
 	return all;
 }
 

@@ -51,7 +51,12 @@ enum class Scheme
 	WithoutTorsion,
 	WithoutContactCoupling,
 	WithoutContinuousCollision,
-	WithoutDirectSolve
+	WithoutDirectSolve,
+	WithoutInteraction,  ///< of forces in sections with fibres; the rest with numbers of them
+	Fibres4,
+	Fibres8,
+	Fibres16,
+	Fibres60
 };
 const std::vector<Named<Scheme>>& schemes();
 

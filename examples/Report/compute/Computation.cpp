@@ -21,7 +21,7 @@ const Precision PRECISION = sizeof(btScalar) == sizeof(double) ? Precision::Doub
 
 std::vector<Record> compute(const Problem& problem, const ComputationSettings& s)
 {
-	std::vector<Setting> settings = settingsToCompare(s.rate, s.substeps, s.quick);
+	std::vector<Setting> settings = settingsToCompare(s.rate, s.substeps, problem.hasFibres, s.quick);
 #ifdef EP_WITH_ODE
 	for (const Setting& setting : odeSettings(problem.name, s.rate, s.substeps, s.quick))
 		settings.push_back(setting);

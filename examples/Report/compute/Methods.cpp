@@ -53,6 +53,24 @@ void addParts(std::vector<Setting>& settings)
 	iterative.scheme = Scheme::WithoutDirectSolve;
 	settings.push_back(iterative);
 }
+
+void addNumbersOfFibres(std::vector<Setting>& settings)
+{
+	Setting setting = {Solver::Direct, Scheme::WithoutInteraction};
+	setting.method.without |= parts::Interaction;
+	settings.push_back(setting);
+	const struct
+	{
+		int count;
+		Scheme scheme;
+	} all[] = {{4, Scheme::Fibres4}, {8, Scheme::Fibres8}, {16, Scheme::Fibres16}, {60, Scheme::Fibres60}};
+	for (const auto& some : all)
+	{
+		setting = {Solver::Direct, some.scheme};
+		setting.method.fibres = some.count;
+		settings.push_back(setting);
+	}
+}
 }  // namespace
 
 std::vector<int> iterationsToCompare(int stepsPerSecond, bool quick)
@@ -63,7 +81,7 @@ std::vector<int> iterationsToCompare(int stepsPerSecond, bool quick)
 	return stepsPerSecond <= 240 ? std::vector<int>{10, 50, 250} : std::vector<int>{10, 50};
 }
 
-std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick)
+std::vector<Setting> settingsToCompare(int rate, int substeps, bool hasFibres, bool quick)
 {
 	const int stepsPerSecond = rate * substeps;
 	const std::vector<int> iterations = iterationsToCompare(stepsPerSecond, quick);
@@ -97,6 +115,8 @@ std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick)
 			settings.push_back({Solver::Direct, Scheme::Profile, budget});
 	if (rate == 60 && substeps == 8)
 		addParts(settings);
+	if (rate == 60 && substeps == 8 && hasFibres)
+		addNumbersOfFibres(settings);
 	return settings;
 }
 }  // namespace ep

@@ -31,9 +31,10 @@ struct Setting
 std::vector<int> iterationsToCompare(int stepsPerSecond, bool quick);
 
 /// What the report compares in a case of the given step. At 1/60 s also what the profile makes of it for several budgets,
-/// and at 1/480 s, as 8 substeps, the direct solver without each of its parts.
+/// and at 1/480 s, as 8 substeps, the direct solver without each of its parts, and with fewer and more fibres.
+/// \param hasFibres  whether the problem has sections that are cut into fibres
 /// \param quick  one of each kind only
-std::vector<Setting> settingsToCompare(int rate, int substeps, bool quick);
+std::vector<Setting> settingsToCompare(int rate, int substeps, bool hasFibres, bool quick);
 }  // namespace ep
 
 #endif  // EP_REPORT_METHODS_H

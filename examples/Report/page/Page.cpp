@@ -35,7 +35,7 @@ std::string htmlOf(const ByProblem& problems, const std::vector<TrialRecord>& tr
 		   "<code>btNNCGConstraintSolver</code> "
 		   "(nncg), <code>btMLCPSolver</code> with Dantzig's algorithm (mlcp), the paper's scheme, Bullet's own "
 		   "joints.</p>\n";
-	for (const Grid& grid : {overviewOf(problems), profileOf(problems), partsOf(problems)})
+	for (const Grid& grid : {overviewOf(problems), profileOf(problems), partsOf(problems), fibresOf(problems)})
 		out << grid.html();
 	writeStability(out, trials);
 	for (const std::string& name : problems.names)

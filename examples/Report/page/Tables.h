@@ -17,6 +17,9 @@ Grid profileOf(const ByProblem& problems);
 
 /// What is saved, and what lost, by each part that is left out.
 Grid partsOf(const ByProblem& problems);
+
+/// The same of problems in whose sections forces act together, by numbers of fibres.
+Grid fibresOf(const ByProblem& problems);
 }  // namespace ep
 
 #endif  // EP_REPORT_TABLES_H

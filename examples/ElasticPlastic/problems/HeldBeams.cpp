@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#include "problems/HeldBeams.h"
+
+#include <cmath>
+
+#include "problems/Run.h"
+#include "text/Format.h"
+#include "world/Place.h"
+
+namespace ep
+{
+namespace
+{
+const double YIELD = 250e6;
+
+/// So stiff that next to nothing is elastic, as theory has it.
+btElasticPlasticMaterial stiffSteel(double factor)
+{
+	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(YIELD));
+	steel.m_youngsModulus *= btScalar(factor);
+	steel.m_ultimatePlasticStrain = btScalar(1e6);
+	steel.m_dampingRatio = 0;
+	return steel;
+}
+
+/// A beam of 1 m between two supports that hold its ends in all directions: two halves with a body between them. First it bends; as it
+/// sags it comes under tension, which takes of the moments, and in the end it hangs as a cable.
+struct HeldBeam
+{
+	static constexpr double SIDE = 0.02, LENGTH = 1;
+
+	World m_world;
+	btRigidBody* m_middle;
+
+	HeldBeam(const Method& method, double mass) : m_world(method, btVector3(0, 0, 0))
+	{
+		const btScalar part = btScalar(LENGTH / 2), side = btScalar(SIDE), partMass = btScalar(0.01);
+		btCollisionShape* const half = m_world.box(btVector3(part, side, side));
+		btCollisionShape* const cube = m_world.box(btVector3(btScalar(0.1), btScalar(0.1), btScalar(0.1)));
+		btRigidBody* const bodies[] = {
+			m_world.body(0, cube, at(0), false), m_world.body(partMass, half, at(part / 2), false),
+			m_world.body(btScalar(mass), cube, at(part), false), m_world.body(partMass, half, at(part * 3 / 2), false),
+			m_world.body(0, cube, at(2 * part), false)};
+		m_middle = bodies[2];
+		const btElasticPlasticSection section =
+			btElasticPlasticSection::rectangle(side, side).withFibres(method.fibres);
+		for (int i = 0; i < 4; ++i)
+		{
+			const bool isPartFirst = i % 2 == 1;
+			m_world.joint(*bodies[i], *bodies[i + 1], at(part * btScalar((i + 1) / 2)),
+						  btElasticPlasticCapacity::fromMember(stiffSteel(1000), section, isPartFirst ? part : 0,
+															   isPartFirst ? 0 : part));
+		}
+	}
+
+	double sag() const { return -double(m_middle->getCenterOfMassPosition().y()); }
+
+	/// At which it begins to flow: 8 Mp / L [N].
+	static double load() { return 8 * YIELD * SIDE * SIDE * SIDE / 4 / LENGTH; }
+	/// What it has taken up when it sags by w: the load for that is Pc (1 + (w / h)^2) until w is the height h, and 2 Pc w / h from then on,
+	/// by Haythornthwaite (1957) [J].
+	static double energyAt(double sag)
+	{
+		const double w = sag / SIDE;
+		return load() * SIDE * (w < 1 ? w + w * w * w / 3 : 1. / 3 + w * w);
+	}
+	/// The way back [m].
+	static double sagAfter(double energy)
+	{
+		double low = 0, high = 10 * SIDE;
+		for (int i = 0; i < 100; ++i)
+		{
+			const double middle = (low + high) / 2;
+			(energyAt(middle) < energy ? low : high) = middle;
+		}
+		return low;
+	}
+};
+
+/// Pushed by a body that it hardly slows down: what it has taken up when it sags by a half, one, two and four times its height.
+Outcome pushedBeam(const Method& method, const Stepping& stepping)
+{
+	const double mass = 1e5, speed = 0.25;
+	HeldBeam beam(method, mass);
+	beam.m_middle->setLinearVelocity(btVector3(0, btScalar(-speed), 0));
+	Outcome outcome;
+	Run run(beam.m_world, stepping, outcome);
+	for (const double heights : {0.5, 1., 2., 4.})
+	{
+		while (run.stepsUntil(1) > 0 && beam.sag() < heights * HeldBeam::SIDE)
+			run.step();
+		const double left = double(beam.m_middle->getLinearVelocity().y());
+		outcome.quantities.push_back({format("energy taken up at a sag of %.1f heights [J]", heights),
+									  mass * (speed * speed - left * left) / 2, HeldBeam::energyAt(beam.sag())});
+	}
+	return outcome;
+}
+
+Outcome struckBeam(const Method& method, const Stepping& stepping)
+{
+	const double mass = 500;
+	Outcome outcome;
+	for (const double energy : {25., 100., 400., 900.})
+	{
+		HeldBeam beam(method, mass);
+		beam.m_middle->setLinearVelocity(btVector3(0, btScalar(-std::sqrt(2 * energy / mass)), 0));
+		double most = 0;
+		{
+			Run run(beam.m_world, stepping, outcome);
+			while (run.stepsUntil(0.25) > 0)
+			{
+				run.step();
+				most = std::max(most, beam.sag());
+			}
+		}
+		outcome.quantities.push_back(
+			{format("largest sag after a blow of %.0f J [m]", energy), most, HeldBeam::sagAfter(energy)});
+	}
+	return outcome;
+}
+
+/// A body at one section, 0.1 m high, that bears 20 kN and 500 N m, flies along the axis and turns. Flow is along the normal of m + n^2 = 1.
+Outcome flyingBody(const Method& method, const Stepping& stepping)
+{
+	const double height = 0.1, width = 0.8e-3, mass = 20e3, inertia = 483.334, speed = 0.04, spin = 0.4;
+	World world(method, btVector3(0, 0, 0));
+	btCollisionShape* const box = world.box(btVector3(1, 1, 1));
+	btRigidBody* const ground = world.body(0, box, at(0), false);
+	btRigidBody* const body = world.body(btScalar(mass), box, at(0), false);
+	body->setMassProps(btScalar(mass), btVector3(btScalar(inertia), btScalar(inertia), btScalar(inertia)));
+	body->updateInertiaTensor();
+	const btElasticPlasticSection section =
+		btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)).withFibres(method.fibres);
+	btElasticPlasticJoint* const joint =
+		world.joint(*ground, *body, at(0), btElasticPlasticCapacity::fromMember(stiffSteel(1000), section, 1, 1));
+	body->setLinearVelocity(btVector3(btScalar(speed), 0, 0));
+	body->setAngularVelocity(btVector3(0, 0, btScalar(spin)));
+	Outcome outcome;
+	Run run(world, stepping, outcome);
+	while (run.stepsUntil(1) > 0)
+		run.step();
+	// By integration of the rigid-plastic equations (tests/problems/testReferences.cpp).
+	outcome.quantities = {{"plastic elongation [m]", double(joint->getPlasticDeformation(BT_EP_AXIAL)), 0.986894e-3},
+						  {"plastic angle [rad]", double(joint->getPlasticDeformation(BT_EP_BENDING_Z)), 0.0893338}};
+	return outcome;
+}
+}  // namespace
+
+std::vector<Problem> problemsOfHeldBeams()
+{
+	const char* const cable = "Haythornthwaite's rigid-plastic beam";
+	return {
+		{"beam-held-pushed", "a beam held at both ends, pushed until it hangs as a cable", cable, pushedBeam, true},
+		{"beam-held-struck", "a beam held at both ends, struck", cable, struckBeam, true},
+		{"body-flies-and-turns", "a body that one section stops along its axis and about it",
+		 "rigid-plastic integration", flyingBody, true},
+	};
+}
+}  // namespace ep
