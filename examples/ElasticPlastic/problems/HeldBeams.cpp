@@ -13,12 +13,12 @@ namespace ep
 {
 namespace
 {
-const double YIELD = 250e6;
+const double BEAM_YIELD = 250e6;
 
 /// So stiff that next to nothing is elastic, as theory has it.
 btElasticPlasticMaterial stiffSteel(double factor)
 {
-	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(YIELD));
+	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(BEAM_YIELD));
 	steel.m_youngsModulus *= btScalar(factor);
 	steel.m_ultimatePlasticStrain = btScalar(1e6);
 	steel.m_dampingRatio = 0;
@@ -58,7 +58,7 @@ struct HeldBeam
 	double sag() const { return -double(m_middle->getCenterOfMassPosition().y()); }
 
 	/// At which it begins to flow: 8 Mp / L [N].
-	static double load() { return 8 * YIELD * SIDE * SIDE * SIDE / 4 / LENGTH; }
+	static double load() { return 8 * BEAM_YIELD * SIDE * SIDE * SIDE / 4 / LENGTH; }
 	/// What it has taken up when it sags by w: the load for that is Pc (1 + (w / h)^2) until w is the height h, and 2 Pc w / h from then on,
 	/// by Haythornthwaite (1957) [J].
 	static double energyAt(double sag)

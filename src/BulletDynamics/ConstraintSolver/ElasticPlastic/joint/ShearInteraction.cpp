@@ -30,6 +30,8 @@ const double LONGEST_TURN = 0.3;
 const double LEAST_SHARE = 0.1;
 /// The same of fibres: one without any strength in tension would open as a crack does.
 const double LEAST_LEFT = 1e-3;
+/// Of walls that run at an angle to the section's axes, by how much one such direction outweighs the other.
+const double LEAST_ASKEW = 1e-3;
 /// Keeps what fibres on one line do not determine out of the way.
 const double NEXT_TO_NOTHING = 1e-9;
 }  // namespace
@@ -70,7 +72,7 @@ bool ShearInteraction::collect(const JointModel& model)
 {
 	const btElasticPlasticCapacity& capacity = model.m_capacity;
 	m_fibres.clear();
-	double slips[3] = {};
+	double slips[3] = {}, askew = 0;
 	for (int k = 0; k < 3; ++k)
 		m_alone[k] = m_middle[k] = 0;
 	for (int i = 0; i < capacity.m_fibres.size(); ++i)
@@ -107,8 +109,12 @@ bool ShearInteraction::collect(const JointModel& model)
 			m_middle[k] += middle * fibre.m_normal[k];
 			slips[k] += fibre.m_strength * hypot(fibre.m_slip[0][k], fibre.m_slip[1][k]);
 		}
+		for (const auto& slip : fibre.m_slip)
+			askew += fibre.m_strength * slip[0] * slip[1];
 		m_fibres.push_back(fibre);
 	}
+	for (int k = 0; k < 2 && fabs(askew) > LEAST_ASKEW * (slips[0] + slips[1]); ++k)
+		slips[k] = shearAlone(k, slips[k]);
 	for (Fibre& fibre : m_fibres)
 		for (int k = 0; k < 3; ++k)
 		{
@@ -117,6 +123,39 @@ bool ShearInteraction::collect(const JointModel& model)
 				slip[k] /= slips[k] > 0 ? slips[k] : 1;
 		}
 	return slips[0] + slips[1] + slips[2] > 0;
+}
+
+/// What fibres bear of a shear alone, without one across it: the least of sum w |b q| with q = 1 in its direction, which a slip across it makes less
+/// where walls that are not alike run at an angle to it.
+/// \param least  that without such a slip
+double ShearInteraction::shearAlone(int along, double least) const
+{
+	const int across = 1 - along;
+	double q[2];
+	q[along] = 1;
+	q[across] = 0;
+	for (int i = 0; i < SEARCHES; ++i)
+	{
+		double sum = 0, both = 0, square = 0;
+		for (const Fibre& fibre : m_fibres)
+		{
+			const double flow = hypot(fibre.m_slip[0][0] * q[0] + fibre.m_slip[0][1] * q[1],
+									  fibre.m_slip[1][0] * q[0] + fibre.m_slip[1][1] * q[1]);
+			sum += fibre.m_strength * flow;
+			const double weight = fibre.m_strength / btMax(flow, LEAST_FLOW);
+			for (const auto& slip : fibre.m_slip)
+			{
+				both += weight * slip[along] * slip[across];
+				square += weight * slip[across] * slip[across];
+			}
+		}
+		least = btMin(least, sum);
+		const double next = square > 0 ? -both / square : 0;
+		if (fabs(next - q[across]) < CLOSE_ENOUGH)
+			break;
+		q[across] = next;
+	}
+	return least;
 }
 
 double ShearInteraction::flowOf(const Fibre& fibre, const double q[6], bool withNormal) const

@@ -70,6 +70,7 @@ private:
 
 	bool collect(const JointModel& model);
 	double search(const double force[6], double q[6]);
+	double shearAlone(int along, double least) const;
 	double flowOf(const Fibre& fibre, const double q[6], bool withNormal) const;
 	void findShares(const double force[6], double share, double bears);
 	void follow(const double q[6], double amount);
