@@ -223,6 +223,42 @@ TEST(Fibres, AreAsStiffAsIndependentDegreesOfFreedom)
 	}
 }
 
+TEST(Fibres, OfOneSidedBarsBendAboutTheirElasticCentroid)
+{
+	// A cantilever of concrete that does not crack, with 4000 mm^2 of bars in its lower face, under a load at its tip.
+	const double length = 4, width = 0.3, height = 0.5, youngs = 30e9, ratio = 200. / 30, bars = 4000e-6, place = -0.21,
+				 load = 1e5;
+	btElasticPlasticMaterial concrete;
+	concrete.m_youngsModulus = btScalar(youngs);
+	concrete.m_yieldStress = btScalar(1e10);
+	concrete.m_dampingRatio = btScalar(0.1);
+	const btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(1e10));
+	btElasticPlasticSection section =
+		btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)).withFibres(36);
+	for (const double z : {-0.1, 0.1})
+		section.addBar(btScalar(place), btScalar(z), btScalar(bars / 2), steel);
+	const double area = width * height + ratio * bars, centroid = ratio * bars * place / area,
+				 second = width * height * (height * height / 12 + centroid * centroid) +
+						  ratio * bars * (place - centroid) * (place - centroid),
+				 exact = load * (length * length * length / (3 * youngs * second) +
+								 length / (double(concrete.shearModulus()) * double(section.m_shearArea[0])));
+	for (const int parts : {2, 4, 8})
+	{
+		FibreCantilever beam(concrete, section, parts, length, btVector3(0, 0, 0));
+		const btVector3 end(btScalar(length / parts / 2), 0, 0);
+		btRigidBody& last = beam.m_member.last();
+		for (int i = 0; i < 8 * 240; ++i)
+		{
+			last.applyForce(btVector3(0, btScalar(-load), 0), last.getCenterOfMassTransform().getBasis() * end);
+			beam.m_world.step(btScalar(1) / 240);
+		}
+		const double sag = -double((last.getCenterOfMassTransform() * end).y());
+		// What shear turns a part of the length l by at its end goes by l^2; the material's damping leaves some ten-thousandths. About the
+		// concrete's own middle the sag would be 4 % less.
+		EXPECT_NEAR(exact, sag, (0.06 / (parts * parts) + byPrecision(5e-4, 1e-3)) * exact) << parts;
+	}
+}
+
 TEST(Fibres, KeepTheBalanceOfEnergy)
 {
 	// A bar that falls, flows and tears fibre by fibre, in the direction of its width and of its height, in frames of any orientation.
