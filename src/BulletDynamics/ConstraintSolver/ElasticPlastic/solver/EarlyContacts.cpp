@@ -21,7 +21,7 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Pairs that come closer by less than this in a step are found by Bullet soon enough [m].
+/// What comes closer or goes deeper by less than this in a step is found by Bullet soon enough [m].
 const btScalar LEAST_WAY = btScalar(0.005);
 /// How far bodies are moved beyond where they meet, so that detectors that know penetration only find all of a face's points [m].
 const btScalar INTO = btScalar(0.003);
@@ -32,25 +32,20 @@ const int JOINED = -2;
 struct Way
 {
 	btCollisionObject& m_object;
+	const btScalar m_dt;
+	btVector3 m_velocity{0, 0, 0}, m_spin{0, 0, 0};
 	btTransform m_now, m_from, m_to;
 
-	Way(btCollisionObject& object, btScalar dt)
-		: m_object(object),
-		  m_now(object.getWorldTransform()),
-		  m_from(object.getWorldTransform()),
-		  m_to(object.getWorldTransform())
+	Way(const btCollisionObject& object, btScalar dt) : m_object(const_cast<btCollisionObject&>(object)), m_dt(dt)
 	{
 		const btRigidBody* const body = btRigidBody::upcast(&object);
 		if (!body || !body->isActive() || body->isStaticObject())
 			return;
-		// A kinematic body is already where it goes.
-		const bool isKinematic = body->isKinematicObject();
-		const btVector3 change = isKinematic ? btVector3(0, 0, 0) : body->getTotalForce() * (body->getInvMass() * dt);
-		btTransformUtil::integrateTransform(m_now, body->getLinearVelocity() + change, body->getAngularVelocity(),
-											isKinematic ? -dt : dt, isKinematic ? m_from : m_to);
+		m_velocity = body->getLinearVelocity();
+		m_spin = body->getAngularVelocity();
+		if (!body->isKinematicObject())
+			m_velocity += body->getTotalForce() * (body->getInvMass() * dt);
 	}
-
-	btVector3 getShift() const { return m_to.getOrigin() - m_from.getOrigin(); }
 
 	/// Not further than this does a point of the body go by its turn [m].
 	btScalar getTurnLength() const
@@ -58,7 +53,16 @@ struct Way
 		btVector3 center;
 		btScalar radius;
 		m_object.getCollisionShape()->getBoundingSphere(center, radius);
-		return (radius + center.length()) * m_from.getRotation().angleShortestPath(m_to.getRotation());
+		return (radius + center.length()) * m_spin.length() * m_dt;
+	}
+
+	/// Looks up where the body is and where it goes.
+	void findEnds()
+	{
+		m_now = m_from = m_to = m_object.getWorldTransform();
+		// A kinematic body is already where it goes.
+		const bool isThere = m_object.isKinematicObject();
+		btTransformUtil::integrateTransform(m_now, m_velocity, m_spin, isThere ? -m_dt : m_dt, isThere ? m_from : m_to);
 	}
 
 	/// Puts the body to a share of its way.
@@ -69,6 +73,29 @@ struct Way
 	}
 	void goBack() const { m_object.setWorldTransform(m_now); }
 };
+
+/// How far a body reaches into the box around another one along that one's own axes, at most, the least of the three [m].
+btScalar depthInBox(const btCollisionShape& shape, const btTransform& place, const btCollisionShape& other,
+					const btTransform& otherPlace, btVector3& most)
+{
+	btVector3 from, to, otherFrom, otherTo;
+	shape.getAabb(otherPlace.inverseTimes(place), from, to);
+	other.getAabb(btTransform::getIdentity(), otherFrom, otherTo);
+	btVector3 depth = to - otherFrom;
+	depth.setMin(otherTo - from);
+	most.setMax(depth);
+	return most[most.minAxis()];
+}
+
+/// Whether a body is beside the other one's box at the start of their ways as at the end, like a wheel on its road: whatever their
+/// shapes are, they do not go far into each other between.
+bool staysBeside(const Way& way, const Way& other)
+{
+	const btCollisionShape &shape = *way.m_object.getCollisionShape(), &box = *other.m_object.getCollisionShape();
+	btVector3 most(0, 0, 0);
+	depthInBox(shape, way.m_from, box, other.m_from, most);
+	return depthInBox(shape, way.m_to, box, other.m_to, most) < LEAST_WAY;
+}
 
 /// The share of their ways at which two bodies meet; 1: they do not, 0: they touch already.
 btScalar shareAtMeeting(const Way ways[2])
@@ -126,12 +153,15 @@ bool isCandidate(const btPersistentManifold& manifold, bool takesBounces)
 
 void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& dispatcher)
 {
-	const Way ways[2] = {Way(const_cast<btCollisionObject&>(*manifold.getBody0()), dt),
-						 Way(const_cast<btCollisionObject&>(*manifold.getBody1()), dt)};
+	Way ways[2] = {Way(*manifold.getBody0(), dt), Way(*manifold.getBody1(), dt)};
 	const btScalar length =
-		(ways[1].getShift() - ways[0].getShift()).length() + ways[0].getTurnLength() + ways[1].getTurnLength();
+		(ways[1].m_velocity - ways[0].m_velocity).length() * dt + ways[0].getTurnLength() + ways[1].getTurnLength();
 	// A share of a way without end is no place.
 	if (!(length > LEAST_WAY) || !btElasticPlasticIsFinite(length))
+		return;
+	for (Way& way : ways)
+		way.findEnds();
+	if (staysBeside(ways[0], ways[1]) || staysBeside(ways[1], ways[0]))
 		return;
 	const btScalar share = shareAtMeeting(ways);
 	if (!(share > 0 && share < 1))
