@@ -18,7 +18,7 @@ namespace btElasticPlastic
 namespace
 {
 const char BLOCK_MARK[8] = {'b', 't', 'E', 'P', 'j', 'o', 'i', 'n'};
-const uint32_t BLOCK_VERSION = 5;
+const uint32_t BLOCK_VERSION = 6;
 
 /// Before what a block holds.
 struct BlockHeader
@@ -158,7 +158,7 @@ btElasticPlasticFault JointBlock::read(const FileChunk& chunk)
 	if (chunk.m_size >= sizeof header)
 		memcpy(&header, chunk.m_data, sizeof header);
 	if (header.m_version != BLOCK_VERSION)
-		return btElasticPlasticFault("version of a joint in the file", btScalar(header.m_version), "5");
+		return btElasticPlasticFault("version of a joint in the file", btScalar(header.m_version), "6");
 	const unsigned char* const body = chunk.m_data + sizeof header;
 	if (header.m_size > chunk.m_size - sizeof header || checksumOf(body, header.m_size) != header.m_checksum)
 		return btElasticPlasticFault("length of a joint in the file [bytes]", btScalar(header.m_size),

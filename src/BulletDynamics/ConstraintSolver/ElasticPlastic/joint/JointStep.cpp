@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "BodyLoad.h"
 #include "Diagonal.h"
 
 namespace btElasticPlastic
@@ -654,6 +655,16 @@ int JointStep::commit()
 	state.m_withheldStep = m_withheldStep;
 	const bool isFirstStep = state.m_lastStep == 0;
 	state.m_lastStep = m_dt;
+	for (int side = 0; side < 2; ++side)
+	{
+		const btRigidBody& body = side == 0 ? m_model.bodyA() : m_model.bodyB();
+		const btVector3 force = forceBesideWeight(body);
+		for (int k = 0; k < 3; ++k)
+		{
+			state.m_load[side][k] = force[k];
+			state.m_load[side][3 + k] = body.getTotalTorque()[k];
+		}
+	}
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
 	state.m_work = work;
 	if (state.m_solvedExactly)

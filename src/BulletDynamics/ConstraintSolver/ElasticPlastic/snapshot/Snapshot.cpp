@@ -82,8 +82,8 @@ bool isStateFinite(const btElasticPlasticState& state)
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 		sum += double(state.m_plastic[dof]) + double(state.m_force[dof]) + double(state.m_forceRate[dof]) +
 			   double(state.m_withheld[dof]) + double(state.m_applied[dof]) + double(state.m_appliedBefore[dof]) +
-			   double(state.m_plasticPath[dof]) + double(state.m_watched[dof]) +
-			   double(dof < 3 ? state.m_initial[dof] + state.m_fibreStrain[dof] : 0);
+			   double(state.m_plasticPath[dof]) + double(state.m_watched[dof]) + double(state.m_load[0][dof]) +
+			   double(state.m_load[1][dof]) + double(dof < 3 ? state.m_initial[dof] + state.m_fibreStrain[dof] : 0);
 	for (const btScalar* branch : state.m_branch)
 		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 			sum += double(branch[dof]);

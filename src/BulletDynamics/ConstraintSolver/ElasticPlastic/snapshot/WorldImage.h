@@ -57,6 +57,16 @@ void transfer(Archive& archive, btElasticPlasticFibreState& state)
 	archive(state.m_isCracked);
 }
 
+/// Whether anything but their weight has acted on the bodies of a joint.
+inline bool hasLoad(const btElasticPlasticState& state)
+{
+	for (const auto& load : state.m_load)
+		for (const btScalar component : load)
+			if (component != 0)
+				return true;
+	return false;
+}
+
 template <class Archive>
 void transfer(Archive& archive, btElasticPlasticState& state)
 {
@@ -69,6 +79,10 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	for (auto& branch : state.m_branch)
 		transfer(archive, branch);
 	transfer(archive, state.m_forceRate);
+	bool isLoaded = hasLoad(state);
+	archive(isLoaded);
+	for (int side = 0; isLoaded && side < 2; ++side)
+		transfer(archive, state.m_load[side]);
 	transfer(archive, state.m_withheld);
 	archive(state.m_withheldStep);
 	archive(state.m_solvedExactly);

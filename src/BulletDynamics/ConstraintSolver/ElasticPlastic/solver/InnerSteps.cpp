@@ -34,11 +34,6 @@ int levelOf(int steps)
 	return level;
 }
 
-bool isTooLarge(const SolverGroup& group, const btElasticPlasticSolverSettings& settings)
-{
-	return 2 * LEAST_WORK_A_JOINT * group.m_numConstraints > settings.m_maxInnerWork;
-}
-
 /// Begins a step that may have inner ones. \return the joints' action, null if they do not have one in common that ends their steps
 JointRegistry* beginJoints(const SolverGroup& island)
 {
@@ -100,9 +95,15 @@ double measure(const SolverGroup& island, double length, double ahead)
 }
 }  // namespace
 
-bool InnerSteps::mayBounce(const SolverGroup& group, const btElasticPlasticSolverSettings& settings)
+bool InnerSteps::mayBeTaken(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
 {
-	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL && !isTooLarge(group, settings);
+	return settings.m_innerError > 0 && settings.m_maxInnerSteps > 1 &&
+		   2 * LEAST_WORK_A_JOINT * island.m_numConstraints <= settings.m_maxInnerWork;
+}
+
+bool InnerSteps::mayBounce(const btElasticPlasticSolverSettings& settings)
+{
+	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL;
 }
 
 void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& info,
@@ -110,9 +111,7 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 					   Solution& solution)
 {
 	Task task = {island, info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps)};
-	const bool mayTake =
-		settings.m_innerError > 0 && task.m_maxLevel > 0 && !isTooLarge(island, settings) && info.m_timeStep > 0;
-	JointRegistry* const registry = mayTake ? beginJoints(island) : nullptr;
+	JointRegistry* const registry = info.m_timeStep > 0 && mayBeTaken(island, settings) ? beginJoints(island) : nullptr;
 	if (!registry)
 	{
 		solution.solveStep(info, 1, settings.m_maxWork);
@@ -174,6 +173,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	info.m_erp2 *= share;
 	m_state.saveJoints(island);
 	m_state.shiftFreeVelocities((dt - h) / 2);
+	m_state.shiftJoinedVelocities(island, h);
 	m_impulses.scale(island, share);
 	Attempt attempt = {0, level};
 	for (int k = 0; k < steps; ++k)

@@ -38,8 +38,11 @@ public:
 		~Solution() {}
 	};
 
-	/// Whether inner steps are there for what bounces: without them it is to touch before it does.
-	static bool mayBounce(const SolverGroup& group, const btElasticPlasticSolverSettings& settings);
+	/// Whether there may be inner steps for an island: the settings ask for them, and it is not too large for the work that they allow.
+	static bool mayBeTaken(const SolverGroup& island, const btElasticPlasticSolverSettings& settings);
+
+	/// Whether there are enough of them for what bounces: with fewer it is to touch before it does.
+	static bool mayBounce(const btElasticPlasticSolverSettings& settings);
 
 	/// Solves an island for a step.
 	void solve(const SolverGroup& island, const btContactSolverInfo& info,

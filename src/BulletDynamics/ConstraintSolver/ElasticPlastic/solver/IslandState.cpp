@@ -170,7 +170,7 @@ void IslandState::restore()
 		m_isTouched[i] = m_bodies[i].m_wasTouched;
 }
 
-// ---- bodies that nothing holds
+// ---- velocities of another time
 
 void IslandState::findTouched()
 {
@@ -194,6 +194,30 @@ void IslandState::shiftFreeVelocities(btScalar later)
 		body.m_body->setLinearVelocity(before + change);
 		body.m_inner.m_shift += double((before + change / 2).dot(change)) / double(body.m_body->getInvMass());
 	}
+}
+
+void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h)
+{
+	if (!JoinedShift::isWanted(island, h))
+		return;
+	for (int i = 0; i < m_bodies.size(); ++i)
+		m_bodies[i].m_body->setCompanionId(i);
+	m_joinedShift.collect(island, m_bodies.size(), h);
+	bool isHeld = m_joinedShift.hasSupport();
+	for (int i = 0; i < m_points.size(); ++i)
+		isHeld |= m_points[i].m_bodies[0] < 0 || m_points[i].m_bodies[1] < 0;
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		m_bodies[i].m_body->setCompanionId(-1);
+		if (m_isTouched[i])
+			m_joinedShift.leaveOut(i);
+	}
+	// What nothing holds keeps its momentum.
+	if (!isHeld && m_joinedShift.isAnyLeftOut())
+		return;
+	for (int i = 0; i < m_bodies.size(); ++i)
+		m_bodies[i].m_inner.m_shift += m_joinedShift.apply(i, *m_bodies[i].m_body);
+	m_joinedShift.bookWork();
 }
 
 // ---- inner steps

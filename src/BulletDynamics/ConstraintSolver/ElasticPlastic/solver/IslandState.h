@@ -7,6 +7,7 @@
 #include "../../btElasticPlasticState.h"
 #include "../joint/BodyMotion.h"
 #include "Islands.h"
+#include "JoinedShift.h"
 #include "LinearMath/btAlignedObjectArray.h"
 
 class btManifoldPoint;
@@ -37,6 +38,10 @@ public:
 	/// falling body gets the speed that gravity gives it in between; if it is free when the step ends, it gives it back.
 	/// \param later  [s]
 	void shiftFreeVelocities(btScalar later);
+
+	/// The same of those that joints hold and nothing touches, where inner steps of h [s] are shorter than the last step: see JoinedShift.
+	/// To be called after saveJoints().
+	void shiftJoinedVelocities(const SolverGroup& island, btScalar h);
 
 	/// Whether something that is still apart at the beginning is to meet within the step at a speed at which it bounces.
 	bool hasBounceAhead(btScalar leastSpeed) const;
@@ -102,7 +107,8 @@ private:
 	btAlignedObjectArray<Point> m_points;
 	btAlignedObjectArray<Joint> m_joints;
 	btAlignedObjectArray<btTypedConstraint*> m_enabled;  ///< constraints
-	btAlignedObjectArray<bool> m_isTouched;              ///< by body, in the last inner step
+	JoinedShift m_joinedShift;
+	btAlignedObjectArray<bool> m_isTouched;  ///< by body, in the last inner step
 };
 }  // namespace btElasticPlastic
 

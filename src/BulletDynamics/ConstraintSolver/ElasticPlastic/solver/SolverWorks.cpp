@@ -129,11 +129,12 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
 		return SolverGroup();
 	}
-	if (m_settings.m_innerError > 0 && !m_isInPool && dispatcher && info.m_timeStep > 0 && findJoints(given))
+	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::mayBeTaken(given, m_settings) &&
+		findJoints(given))
 	{
 		SolverGroup group = given;
 		group.m_joints = &m_joints[0];
-		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(group, m_settings), *dispatcher);
+		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(m_settings), *dispatcher);
 	}
 	if (!split(given))
 		return given;
