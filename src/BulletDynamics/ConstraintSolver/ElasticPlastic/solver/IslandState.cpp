@@ -200,24 +200,22 @@ void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h)
 {
 	if (!JoinedShift::isWanted(island, h))
 		return;
+	std::vector<btRigidBody*> bodies;
 	for (int i = 0; i < m_bodies.size(); ++i)
-		m_bodies[i].m_body->setCompanionId(i);
-	m_joinedShift.collect(island, m_bodies.size(), h);
+		bodies.push_back(m_bodies[i].m_body);
+	m_joinedShift.collect(island, bodies, h);
+	for (size_t i = 0; i < bodies.size(); ++i)
+		if (m_isTouched[int(i)])
+			m_joinedShift.leaveOut(i);
 	bool isHeld = m_joinedShift.hasSupport();
 	for (int i = 0; i < m_points.size(); ++i)
 		isHeld |= m_points[i].m_bodies[0] < 0 || m_points[i].m_bodies[1] < 0;
-	for (int i = 0; i < m_bodies.size(); ++i)
-	{
-		m_bodies[i].m_body->setCompanionId(-1);
-		if (m_isTouched[i])
-			m_joinedShift.leaveOut(i);
-	}
 	// What nothing holds keeps its momentum.
 	if (!isHeld && m_joinedShift.isAnyLeftOut())
 		return;
-	for (int i = 0; i < m_bodies.size(); ++i)
-		m_bodies[i].m_inner.m_shift += m_joinedShift.apply(i, *m_bodies[i].m_body);
-	m_joinedShift.bookWork();
+	m_joinedShift.apply();
+	for (size_t i = 0; i < bodies.size(); ++i)
+		m_bodies[int(i)].m_inner.m_shift += m_joinedShift.getLoadWork(i);
 }
 
 // ---- inner steps

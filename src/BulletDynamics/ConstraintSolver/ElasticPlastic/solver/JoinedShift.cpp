@@ -31,30 +31,39 @@ bool JoinedShift::isWanted(const SolverGroup& island, btScalar h)
 	return false;
 }
 
-void JoinedShift::collect(const SolverGroup& island, int numBodies, btScalar h)
+/// The index of a body here is kept in its companion id, which Bullet does not use between two solutions.
+void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBody*>& bodies, btScalar h)
 {
-	m_bodies.assign(size_t(numBodies), Body());
 	m_joints.clear();
+	m_bodies.clear();
+	const btVector3 zero(0, 0, 0);
+	for (btRigidBody* body : bodies)
+	{
+		body->setCompanionId(int(m_bodies.size()));
+		m_bodies.push_back({body, false, 0, zero, zero, zero, zero, zero, zero, zero, zero});
+	}
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
 		btTypedConstraint& constraint = *island.m_constraints[i];
 		if (!constraint.isEnabled())
 			continue;
-		int bodies[2];
+		int ends[2];
 		for (int side = 0; side < 2; ++side)
 		{
 			const btRigidBody& body = side == 0 ? constraint.getRigidBodyA() : constraint.getRigidBodyB();
-			const bool isHere = !body.isStaticOrKinematicObject() && body.getCompanionId() < numBodies;
-			bodies[side] = isHere ? body.getCompanionId() : -1;
+			const int index = body.isStaticOrKinematicObject() ? -1 : body.getCompanionId();
+			ends[side] = index >= 0 && size_t(index) < bodies.size() && bodies[size_t(index)] == &body ? index : -1;
 		}
 		JointWorks* const works = island.m_joints[i];
 		if (works && wasLonger(*works, h) && !works->hasBaseRows())
-			addJoint(*works, bodies, h);
+			addJoint(*works, ends, h);
 		else
-			for (const int body : bodies)
-				if (body >= 0)
-					leaveOut(body);
+			for (const int end : ends)
+				if (end >= 0)
+					leaveOut(size_t(end));
 	}
+	for (btRigidBody* body : bodies)
+		body->setCompanionId(-1);
 }
 
 void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
@@ -102,35 +111,71 @@ bool JoinedShift::hasSupport() const
 	return false;
 }
 
-double JoinedShift::apply(int number, btRigidBody& body)
+void JoinedShift::apply()
 {
-	Body& share = m_bodies[size_t(number)];
-	if (share.m_isLeftOut || share.m_time == 0)
-		return 0;
-	share.m_body = &body;
-	const btVector3 load = (weightOf(body) + lesserOf(share.m_force, forceBesideWeight(body))) * share.m_time,
-					turn = lesserOf(share.m_torque, body.getTotalTorque()) * share.m_time,
-					linear = (share.m_impulse + load) * body.getInvMass() * body.getLinearFactor(),
-					angular = body.getInvInertiaTensorWorld() * (share.m_twist + turn) * body.getAngularFactor();
-	share.m_meanLinear = body.getLinearVelocity() + linear / 2;
-	share.m_meanAngular = body.getAngularVelocity() + angular / 2;
-	body.setLinearVelocity(body.getLinearVelocity() + linear);
-	body.setAngularVelocity(body.getAngularVelocity() + angular);
-	return double(load.dot(share.m_meanLinear)) + double(turn.dot(share.m_meanAngular));
+	for (Body& body : m_bodies)
+	{
+		const btRigidBody& b = *body.m_body;
+		const btVector3 force = weightOf(b) + lesserOf(body.m_force, forceBesideWeight(b)),
+						torque = lesserOf(body.m_torque, b.getTotalTorque());
+		body.m_force = force * body.m_time;
+		body.m_torque = torque * body.m_time;
+		body.m_isLeftOut |= body.m_time == 0;
+		if (body.m_isLeftOut)
+			continue;
+		body.m_linear = (body.m_impulse + body.m_force) * b.getInvMass() * b.getLinearFactor();
+		body.m_angular = b.getInvInertiaTensorWorld() * (body.m_twist + body.m_torque) * b.getAngularFactor();
+	}
+	const btScalar share = findShare();
+	for (Body& body : m_bodies)
+	{
+		btRigidBody& b = *body.m_body;
+		body.m_meanLinear = b.getLinearVelocity() + body.m_linear * (share / 2);
+		body.m_meanAngular = b.getAngularVelocity() + body.m_angular * (share / 2);
+		body.m_force *= share;
+		body.m_torque *= share;
+		b.setLinearVelocity(b.getLinearVelocity() + body.m_linear * share);
+		b.setAngularVelocity(b.getAngularVelocity() + body.m_angular * share);
+	}
+	bookWork(share);
 }
 
-void JoinedShift::bookWork()
+/// The share of all that is given: all of it, unless the joints would give energy.
+btScalar JoinedShift::findShare() const
+{
+	// With a share s joints give s (first + s second).
+	double first = 0, second = 0;
+	for (const Body& body : m_bodies)
+	{
+		if (body.m_isLeftOut)
+			continue;
+		first += double(body.m_impulse.dot(body.m_body->getLinearVelocity())) +
+				 double(body.m_twist.dot(body.m_body->getAngularVelocity()));
+		second += 0.5 * (double(body.m_impulse.dot(body.m_linear)) + double(body.m_twist.dot(body.m_angular)));
+	}
+	if (first + second <= 0)
+		return 1;
+	return first < 0 ? btScalar(-first / second) : btScalar(0);
+}
+
+double JoinedShift::getLoadWork(size_t body) const
+{
+	const Body& b = m_bodies[body];
+	return b.m_isLeftOut ? 0 : double(b.m_force.dot(b.m_meanLinear)) + double(b.m_torque.dot(b.m_meanAngular));
+}
+
+void JoinedShift::bookWork(btScalar share)
 {
 	for (const Joint& joint : m_joints)
 		for (int side = 0; side < 2; ++side)
 		{
 			const Body* const body = joint.m_bodies[side] >= 0 ? &m_bodies[size_t(joint.m_bodies[side])] : nullptr;
-			if (!body || !body->m_body)
+			if (!body || body->m_isLeftOut)
 				continue;
 			const btVector3& arm = side == 0 ? joint.m_kinematics.m_rA : joint.m_kinematics.m_rB;
 			const btVector3 way = body->m_meanLinear + body->m_meanAngular.cross(arm);
 			const double given = double(joint.m_impulse.dot(way)) + double(joint.m_twist.dot(body->m_meanAngular));
-			joint.m_works->m_model.m_state.m_work -= side == 0 ? given : -given;
+			joint.m_works->m_model.m_state.m_work -= double(share) * (side == 0 ? given : -given);
 		}
 }
 }  // namespace btElasticPlastic

@@ -14,8 +14,11 @@ namespace btElasticPlastic
 /// A velocity belongs to a time half a step before that of the place. With a shorter step that time comes closer to the place's, and
 /// in between joints' forces and loads act on: a swing that yields would otherwise lose or gain up to half a step of its forces,
 /// a tenth of its energy and more. It is taken of the forces in the middle of that time, and of the loads that were there in the
-/// last step and still are. Where steps become longer again nothing is taken back: forces that only the short ones resolve would
-/// be velocities of their own. There the first long step damps (Law.h).
+/// last step and still are.
+///
+/// Forces that the long step has not resolved would be a blow: all shares are less by one factor where else the joints would give
+/// energy to the bodies. Where steps become longer again nothing is taken back, for the same reason; there the first long
+/// step damps (Law.h).
 class JoinedShift
 {
 public:
@@ -23,34 +26,35 @@ public:
 	static bool isWanted(const SolverGroup& island, btScalar h);
 
 	/// Looks the forces up. A body that is also held by what is no spring of ours is left out.
-	/// \param numBodies  of the island, which have their numbers as companion ids; others have none
-	/// \param h          length of the coming steps [s]
-	void collect(const SolverGroup& island, int numBodies, btScalar h);
+	/// \param bodies  of the island that may move
+	/// \param h       length of the coming steps [s]
+	void collect(const SolverGroup& island, const std::vector<btRigidBody*>& bodies, btScalar h);
 
 	/// Has a body keep its velocity: what else acts on it is not known.
-	void leaveOut(int number) { m_bodies[size_t(number)].m_isLeftOut = true; }
+	void leaveOut(size_t body) { m_bodies[body].m_isLeftOut = true; }
 
-	/// Whether anybody keeps its velocity, so that the joints' impulses do not add up to zero.
+	/// Whether any does, so that the joints' impulses do not add up to zero.
 	bool isAnyLeftOut() const;
 
 	/// Whether a joint's other end stands on what is not of the island.
 	bool hasSupport() const;
 
-	/// Gives a body its share. \return what its loads have given to it [J]
-	double apply(int number, btRigidBody& body);
+	/// Gives the bodies their shares, and books what the joints have given as their work.
+	void apply();
 
-	/// Books what the joints have given to those that have got theirs, as work of the joints.
-	void bookWork();
+	/// What a body's loads have given to it [J].
+	double getLoadWork(size_t body) const;
 
 private:
 	struct Body
 	{
-		const btRigidBody* m_body = nullptr;  ///< null: it keeps its velocity
-		bool m_isLeftOut = false;
-		btScalar m_time = 0;                                            ///< between the two times [s]
-		btVector3 m_impulse = btVector3(0, 0, 0), m_twist = m_impulse;  ///< of joints [N s], [N m s]
-		btVector3 m_force = m_impulse, m_torque = m_impulse;  ///< loads of the last step beside its weight [N], [N m]
-		btVector3 m_meanLinear = m_impulse, m_meanAngular = m_impulse;  ///< of before and after [m/s], [rad/s]
+		btRigidBody* m_body;
+		bool m_isLeftOut;
+		btScalar m_time;                        ///< between the two times [s]
+		btVector3 m_impulse, m_twist;           ///< of joints [N s], [N m s]
+		btVector3 m_force, m_torque;            ///< loads of the last step beside its weight [N], [N m]
+		btVector3 m_linear, m_angular;          ///< velocity that it gets [m/s], [rad/s]
+		btVector3 m_meanLinear, m_meanAngular;  ///< of before and after
 	};
 	struct Joint
 	{
@@ -61,6 +65,8 @@ private:
 	};
 
 	void addJoint(JointWorks& works, const int bodies[2], btScalar h);
+	btScalar findShare() const;
+	void bookWork(btScalar share);
 
 	std::vector<Body> m_bodies;
 	std::vector<Joint> m_joints;
