@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/Member.h"
+#include "support/DirectSolver.h"
 #include "support/Precision.h"
 
 namespace
@@ -103,11 +104,15 @@ private:
 	std::mt19937 m_random;
 };
 
-TEST(Drops, MakeNoEnergy)
+/// \param innerError  for inner steps, 0: none
+void dropAll(double innerError)
 {
 	for (unsigned seed = 0; seed < 400; ++seed)
 	{
 		RandomDrop drop(seed);
+		btElasticPlasticSolverSettings settings = solverOf(drop.m_world).getSettings();
+		settings.m_innerError = innerError;
+		ASSERT_TRUE(solverOf(drop.m_world).setSettings(settings));
 		const double before = drop.bodiesEnergy(), seconds = sqrt(2 * drop.m_height / RandomDrop::GRAVITY) + .6;
 		double most = before;
 		for (int i = 0; i < int(seconds * drop.m_rate); ++i)
@@ -121,4 +126,8 @@ TEST(Drops, MakeNoEnergy)
 		EXPECT_LE(most, before + byPrecision(1e-9, 1e-5) * drop.fall());
 	}
 }
+
+TEST(Drops, MakeNoEnergy) { dropAll(0); }
+
+TEST(Drops, MakeNoneInInnerSteps) { dropAll(0.05); }
 }  // namespace
