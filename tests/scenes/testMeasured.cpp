@@ -28,7 +28,7 @@ TEST_P(Measured, RunsAsExpected)
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Measured,
 						 testing::Values("column-removal-welded", "column-removal-reduced", "drop-on-concrete-beam",
-										 "charpy-general-yield"),
+										 "charpy-general-yield", "bollard-m50"),
 						 [](const auto& info)
 						 {
 							 std::string name = info.param;

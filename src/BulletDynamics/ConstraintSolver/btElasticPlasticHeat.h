@@ -8,7 +8,8 @@
 
 /// What heat leaves of a material's strength and stiffness, for btElasticPlasticCapacity::heated(). The functions take the temperature in degrees Celsius
 /// and are linear between the temperatures of their standards' tables, 1 below the first one, and as the last one above it. Compared with printed tables:
-/// steel, reinforcement, the strength of concrete.
+/// steel, reinforcement, the strength of concrete. Compared with another program's copy of the table: aluminium 6061 to 350 degrees, and the modulus of
+/// aluminium. Not compared with anything: 6082 and timber.
 struct btElasticPlasticHeat
 {
 	btScalar m_strength = 1;      ///< over that at 20 degrees, finite, >= 0
