@@ -164,6 +164,55 @@ TEST(Fibres, HoldABeamThatIsStruckAsACableDoes)
 	}
 }
 
+TEST(Fibres, HoldABeamOfRealSteelThatIsStruck)
+{
+	// The same with mass and elasticity of its own, in 20 parts, struck in the middle by 50 kg: a planar beam of as many parts with 24 strips, by
+	// another program at 1/15360 s. Moments and tension each by itself stop the last one at 39 mm.
+	const double exact[][2] = {{1, 9.93e-3}, {2, 23.07e-3}, {4, 46.2e-3}};
+	const int half = 10, rate = 15360;
+	const btScalar part = btScalar(0.5 / half), side = btScalar(SIDE);
+	btElasticPlasticMaterial steel = stiffSteel(1);
+	steel.m_dampingRatio = 0;
+	const btElasticPlasticSection section = btElasticPlasticSection::rectangle(side, side).withFibres();
+	for (const auto& blow : exact)
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		btCollisionShape* const piece = world.box(btVector3(part, side, side));
+		btCollisionShape* const cube = world.box(btVector3(btScalar(0.1), btScalar(0.1), btScalar(0.1)));
+		btRigidBody* before = world.body(0, cube, at(0), false);
+		btRigidBody* middle = nullptr;
+		btScalar place = 0, lengthBefore = 0;
+		for (int i = 0; i <= 2 * half + 1; ++i)
+		{
+			const bool isMiddle = i == half, isEnd = i == 2 * half + 1;
+			const btScalar length = isMiddle || isEnd ? btScalar(0) : part;
+			btRigidBody* const body =
+				isMiddle || isEnd ? world.body(isMiddle ? 50 : 0, cube, at(place), false)
+								  : world.body(btScalar(7850 * SIDE * SIDE) * part, piece, at(place + part / 2), false);
+			if (isMiddle)
+			{
+				middle = body;
+				middle->setMassProps(50, btVector3(btScalar(1e6), btScalar(1e6), btScalar(1e6)));
+				middle->updateInertiaTensor();
+				middle->setLinearVelocity(btVector3(0, btScalar(-blow[0]), 0));
+			}
+			world.joint(*before, *body, at(place),
+						btElasticPlasticCapacity::fromMember(steel, section, lengthBefore, length));
+			before = body;
+			lengthBefore = length;
+			place += length;
+		}
+		double most = 0;
+		for (int i = 0; i < rate / 25; ++i)
+		{
+			world.step(btScalar(1) / rate);
+			most = std::fmax(most, -double(middle->getCenterOfMassPosition().y()));
+		}
+		// With four times the step it is another 1.6, 1.3 and 0.7 % less: of what is left, half a per cent is the step's.
+		EXPECT_NEAR(blow[1], most, 0.015 * blow[1]) << blow[0];
+	}
+}
+
 /// A cantilever of blocks along x of a frame, from a support that does not move.
 struct FibreCantilever
 {
