@@ -16,12 +16,13 @@ namespace btElasticPlastic
 btTransform JointModel::frameA() const { return bodyA().getCenterOfMassTransform() * m_frameInA; }
 btTransform JointModel::frameB() const { return bodyB().getCenterOfMassTransform() * m_frameInB; }
 
-/// Whether the joint's x axis points from body A to body B. What does not move may have its centre anywhere.
-bool JointModel::pointsTowardsB(const Kinematics& k) const
+/// Whether the joint's x axis points from body A to body B where nothing is bent: a hinge that has flowed through half a turn has
+/// it point anywhere. What does not move may have its centre anywhere.
+bool JointModel::pointsTowardsB() const
 {
-	const btScalar a = bodyA().getInvMass() > 0 ? k.m_rA.dot(k.m_axis[0]) : btScalar(0),
-				   b = bodyB().getInvMass() > 0 ? k.m_rB.dot(k.m_axis[0]) : btScalar(0);
-	return a >= b;
+	const auto reachOf = [](const btRigidBody& body, const btTransform& frame)
+	{ return body.getInvMass() > 0 ? frame.getOrigin().dot(frame.getBasis().getColumn(0)) : btScalar(0); };
+	return reachOf(bodyA(), m_frameInA) >= reachOf(bodyB(), m_frameInB);
 }
 
 void JointModel::measure(Kinematics& kinematics) const
@@ -30,7 +31,7 @@ void JointModel::measure(Kinematics& kinematics) const
 						m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
 	if (m_capacity.m_length > 0)
 	{
-		const btScalar length = pointsTowardsB(kinematics) ? m_capacity.m_length : -m_capacity.m_length;
+		const btScalar length = pointsTowardsB() ? m_capacity.m_length : -m_capacity.m_length;
 		kinematics.bow(isElasticPlastic(BT_EP_BENDING_Y) ? length : btScalar(0),
 					   isElasticPlastic(BT_EP_BENDING_Z) ? length : btScalar(0));
 	}

@@ -168,7 +168,7 @@ struct JointModel
 private:
 	RelativeRotation relativeRotation() const;
 	bool measureReference(Kinematics& kinematics) const;
-	bool pointsTowardsB(const Kinematics& k) const;
+	bool pointsTowardsB() const;
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
 	void keepForce(const btElasticPlasticCapacity& before);
