@@ -331,10 +331,11 @@ TEST_F(Report, ReadsWhatItHasWrittenOfEachProblem)
 	}
 	const Ended ended = report("");
 	EXPECT_EQ(0, ended.status) << ended.output;
+	// Beside them: overview, profile, parts and fibres.
 	EXPECT_EQ(count,
 			  size_t(std::count_if(fs::directory_iterator(m_folder / "out" / "pictures"), fs::directory_iterator(),
 								   [](const auto& file) { return file.path().extension() == ".svg"; })) -
-				  3);
+				  4);
 	EXPECT_LT(20u, count);
 }
 

@@ -195,6 +195,39 @@ TEST(InnerSteps, ThatBeginInASwingGetWhatItHasHadSoFar)
 		}
 }
 
+TEST(InnerSteps, AStructureThatFallsFallsAsFarAsItShould)
+{
+	// Two bodies on a spring that yields in its swings, again and again. Each time that inner steps begin, gravity has an earlier time.
+	World world(Solver::Direct);
+	takeInnerSteps(world);
+	btCollisionShape* const cube = world.box(btVector3(btScalar(0.5), btScalar(0.5), btScalar(0.5)));
+	btRigidBody &a = *world.body(100, cube, at(0)), &b = *world.body(100, cube, at(1));
+	btElasticPlasticCapacity capacity;
+	capacity.set(BT_EP_AXIAL, btScalar(1e5), btScalar(4e3), btScalar(1e9));
+	for (int dof = BT_EP_SHEAR_Y; dof < BT_EP_DOF_COUNT; ++dof)
+		capacity.set(dof, btScalar(1e6), btScalar(1e9), btScalar(1e9));
+	world.joint(a, b, at(0.5), capacity);
+	const int rate = 240;
+	long long begun = 0, before = 0;
+	for (int i = 1; i <= 2 * rate; ++i)
+	{
+		if (i % 60 == 1)
+		{
+			a.setLinearVelocity(a.getLinearVelocity() - btVector3(1, 0, 0));
+			b.setLinearVelocity(b.getLinearVelocity() + btVector3(1, 0, 0));
+		}
+		const long long innerSteps = statisticsOf(world).m_innerSteps;
+		world.step(btScalar(1) / rate);
+		const long long taken = statisticsOf(world).m_innerSteps - innerSteps;
+		begun += before == 0 && taken > 0 ? 1 : 0;
+		before = taken;
+		const double speed = -10. * i / rate;
+		for (const btRigidBody* body : {&a, &b})
+			ASSERT_NEAR(speed, double(body->getLinearVelocity().y()), byPrecision(1e-9, 1e-4)) << i;
+	}
+	EXPECT_GE(begun, 4);
+}
+
 TEST(InnerSteps, ABoxThatBouncesDoesItsDamage)
 {
 	// At 1/60 s alone it leaves no plastic work at all. Against steps of the world as short as the inner ones may be.

@@ -50,6 +50,7 @@ void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegis
 	addBodies(island);
 	m_joints.resize(0);
 	m_enabled.resize(0);
+	m_isHeld = false;
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
 		btTypedConstraint& constraint = *island.m_constraints[i];
@@ -62,6 +63,8 @@ void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegis
 			const int index = body->isStaticOrKinematicObject() ? -1 : body->getCompanionId();
 			if (index >= 0 && index < m_bodies.size() && m_bodies[index].m_body == body)
 				m_bodies[index].m_isJoined = true;
+			else
+				m_isHeld = true;
 		}
 	}
 	addPoints(island);
@@ -182,12 +185,21 @@ void IslandState::findTouched()
 				m_isTouched[body] = true;
 }
 
+bool IslandState::isAnyTouched() const
+{
+	for (int i = 0; i < m_isTouched.size(); ++i)
+		if (m_isTouched[i])
+			return true;
+	return false;
+}
+
 void IslandState::shiftFreeVelocities(btScalar later)
 {
+	const bool isAllFree = isFalling();
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		Body& body = m_bodies[i];
-		if (body.m_isJoined || m_isTouched[i])
+		if (m_isTouched[i] || (body.m_isJoined && !isAllFree))
 			continue;
 		const btVector3 before = body.m_body->getLinearVelocity(),
 						change = body.m_body->getGravity() * body.m_body->getLinearFactor() * later;
@@ -204,18 +216,19 @@ void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h)
 	for (int i = 0; i < m_bodies.size(); ++i)
 		bodies.push_back(m_bodies[i].m_body);
 	m_joinedShift.collect(island, bodies, h);
-	for (size_t i = 0; i < bodies.size(); ++i)
-		if (m_isTouched[int(i)])
+	for (int i = 0; i < m_bodies.size(); ++i)
+		if (m_isTouched[i])
 			m_joinedShift.leaveOut(i);
-	bool isHeld = m_joinedShift.hasSupport();
+	bool isHeld = m_isHeld;
 	for (int i = 0; i < m_points.size(); ++i)
-		isHeld |= m_points[i].m_bodies[0] < 0 || m_points[i].m_bodies[1] < 0;
+		isHeld |=
+			(m_points[i].m_bodies[0] < 0 || m_points[i].m_bodies[1] < 0) && m_points[i].m_point->m_appliedImpulse > 0;
 	// What nothing holds keeps its momentum.
 	if (!isHeld && m_joinedShift.isAnyLeftOut())
 		return;
-	m_joinedShift.apply();
-	for (size_t i = 0; i < bodies.size(); ++i)
-		m_bodies[int(i)].m_inner.m_shift += m_joinedShift.getLoadWork(i);
+	m_joinedShift.apply(isHeld);
+	for (int i = 0; i < m_bodies.size(); ++i)
+		m_bodies[i].m_inner.m_shift += m_joinedShift.getLoadWork(i);
 }
 
 // ---- inner steps

@@ -32,7 +32,7 @@ public:
 	/// Goes back to the beginning.
 	void restore();
 
-	/// Has the velocities of bodies that nothing holds or touches belong to another time.
+	/// Has the velocities of bodies that nothing holds or touches, alone or joined to each other, belong to another time.
 	///
 	/// Bullet's velocities belong to a time half a step before that of its places. With shorter steps that time comes closer, and a
 	/// falling body gets the speed that gravity gives it in between; if it is free when the step ends, it gives it back.
@@ -99,6 +99,8 @@ private:
 	void addKinematic(btRigidBody& body);
 	void bookWork(const Point& point);
 	void findTouched();
+	bool isAnyTouched() const;
+	bool isFalling() const { return !m_isHeld && !isAnyTouched(); }
 	static btScalar approachOf(const Point& point);
 
 	btScalar m_dt = 0;
@@ -108,6 +110,7 @@ private:
 	btAlignedObjectArray<Joint> m_joints;
 	btAlignedObjectArray<btTypedConstraint*> m_enabled;  ///< constraints
 	JoinedShift m_joinedShift;
+	bool m_isHeld = false;                   ///< by a constraint with what does not move freely
 	btAlignedObjectArray<bool> m_isTouched;  ///< by body, in the last inner step
 };
 }  // namespace btElasticPlastic

@@ -34,12 +34,12 @@ bool JoinedShift::isWanted(const SolverGroup& island, btScalar h)
 /// The index of a body here is kept in its companion id, which Bullet does not use between two solutions.
 void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBody*>& bodies, btScalar h)
 {
-	m_joints.clear();
-	m_bodies.clear();
+	m_joints.resize(0);
+	m_bodies.resize(0);
 	const btVector3 zero(0, 0, 0);
 	for (btRigidBody* body : bodies)
 	{
-		body->setCompanionId(int(m_bodies.size()));
+		body->setCompanionId(m_bodies.size());
 		m_bodies.push_back({body, false, 0, zero, zero, zero, zero, zero, zero, zero, zero});
 	}
 	for (int i = 0; i < island.m_numConstraints; ++i)
@@ -60,7 +60,7 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 		else
 			for (const int end : ends)
 				if (end >= 0)
-					leaveOut(size_t(end));
+					leaveOut(end);
 	}
 	for (btRigidBody* body : bodies)
 		body->setCompanionId(-1);
@@ -82,7 +82,7 @@ void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 	{
 		if (bodies[side] < 0)
 			continue;
-		Body& body = m_bodies[size_t(bodies[side])];
+		Body& body = m_bodies[bodies[side]];
 		const btScalar sign = side == 0 ? btScalar(1) : btScalar(-1);
 		const btVector3& arm = side == 0 ? joint.m_kinematics.m_rA : joint.m_kinematics.m_rB;
 		const btScalar* const load = state.m_load[side];
@@ -97,29 +97,21 @@ void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 
 bool JoinedShift::isAnyLeftOut() const
 {
-	for (const Body& body : m_bodies)
-		if (body.m_isLeftOut)
+	for (int i = 0; i < m_bodies.size(); ++i)
+		if (m_bodies[i].m_isLeftOut)
 			return true;
 	return false;
 }
 
-bool JoinedShift::hasSupport() const
+void JoinedShift::apply(bool withLoads)
 {
-	for (const Joint& joint : m_joints)
-		if (joint.m_bodies[0] < 0 || joint.m_bodies[1] < 0)
-			return true;
-	return false;
-}
-
-void JoinedShift::apply()
-{
-	for (Body& body : m_bodies)
+	for (int i = 0; i < m_bodies.size(); ++i)
 	{
+		Body& body = m_bodies[i];
 		const btRigidBody& b = *body.m_body;
-		const btVector3 force = weightOf(b) + lesserOf(body.m_force, forceBesideWeight(b)),
-						torque = lesserOf(body.m_torque, b.getTotalTorque());
-		body.m_force = force * body.m_time;
-		body.m_torque = torque * body.m_time;
+		const btScalar time = withLoads ? body.m_time : btScalar(0);
+		body.m_force = (weightOf(b) + lesserOf(body.m_force, forceBesideWeight(b))) * time;
+		body.m_torque = lesserOf(body.m_torque, b.getTotalTorque()) * time;
 		body.m_isLeftOut |= body.m_time == 0;
 		if (body.m_isLeftOut)
 			continue;
@@ -127,8 +119,15 @@ void JoinedShift::apply()
 		body.m_angular = b.getInvInertiaTensorWorld() * (body.m_twist + body.m_torque) * b.getAngularFactor();
 	}
 	const btScalar share = findShare();
-	for (Body& body : m_bodies)
+	if (share == 0)
 	{
+		for (int i = 0; i < m_bodies.size(); ++i)
+			m_bodies[i].m_isLeftOut = true;
+		return;
+	}
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		Body& body = m_bodies[i];
 		btRigidBody& b = *body.m_body;
 		body.m_meanLinear = b.getLinearVelocity() + body.m_linear * (share / 2);
 		body.m_meanAngular = b.getAngularVelocity() + body.m_angular * (share / 2);
@@ -140,25 +139,28 @@ void JoinedShift::apply()
 	bookWork(share);
 }
 
-/// The share of all that is given: all of it, unless the joints would give energy.
+/// The share of all that is given: all of it, unless the joints would give energy. Nothing of what is beyond all numbers.
 btScalar JoinedShift::findShare() const
 {
 	// With a share s joints give s (first + s second).
 	double first = 0, second = 0;
-	for (const Body& body : m_bodies)
+	for (int i = 0; i < m_bodies.size(); ++i)
 	{
+		const Body& body = m_bodies[i];
 		if (body.m_isLeftOut)
 			continue;
 		first += double(body.m_impulse.dot(body.m_body->getLinearVelocity())) +
 				 double(body.m_twist.dot(body.m_body->getAngularVelocity()));
 		second += 0.5 * (double(body.m_impulse.dot(body.m_linear)) + double(body.m_twist.dot(body.m_angular)));
 	}
+	if (!btElasticPlasticIsFinite(first + second))
+		return 0;
 	if (first + second <= 0)
 		return 1;
 	return first < 0 ? btScalar(-first / second) : btScalar(0);
 }
 
-double JoinedShift::getLoadWork(size_t body) const
+double JoinedShift::getLoadWork(int body) const
 {
 	const Body& b = m_bodies[body];
 	return b.m_isLeftOut ? 0 : double(b.m_force.dot(b.m_meanLinear)) + double(b.m_torque.dot(b.m_meanAngular));
@@ -166,10 +168,11 @@ double JoinedShift::getLoadWork(size_t body) const
 
 void JoinedShift::bookWork(btScalar share)
 {
-	for (const Joint& joint : m_joints)
+	for (int i = 0; i < m_joints.size(); ++i)
 		for (int side = 0; side < 2; ++side)
 		{
-			const Body* const body = joint.m_bodies[side] >= 0 ? &m_bodies[size_t(joint.m_bodies[side])] : nullptr;
+			const Joint& joint = m_joints[i];
+			const Body* const body = joint.m_bodies[side] >= 0 ? &m_bodies[joint.m_bodies[side]] : nullptr;
 			if (!body || body->m_isLeftOut)
 				continue;
 			const btVector3& arm = side == 0 ? joint.m_kinematics.m_rA : joint.m_kinematics.m_rB;

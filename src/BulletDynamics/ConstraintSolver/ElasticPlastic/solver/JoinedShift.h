@@ -6,6 +6,7 @@
 
 #include "../joint/Kinematics.h"
 #include "Islands.h"
+#include "LinearMath/btAlignedObjectArray.h"
 
 namespace btElasticPlastic
 {
@@ -31,19 +32,17 @@ public:
 	void collect(const SolverGroup& island, const std::vector<btRigidBody*>& bodies, btScalar h);
 
 	/// Has a body keep its velocity: what else acts on it is not known.
-	void leaveOut(size_t body) { m_bodies[body].m_isLeftOut = true; }
+	void leaveOut(int body) { m_bodies[body].m_isLeftOut = true; }
 
 	/// Whether any does, so that the joints' impulses do not add up to zero.
 	bool isAnyLeftOut() const;
 
-	/// Whether a joint's other end stands on what is not of the island.
-	bool hasSupport() const;
-
 	/// Gives the bodies their shares, and books what the joints have given as their work.
-	void apply();
+	/// \param withLoads  otherwise what joints give alone: the bodies fall, and have got their weight's share
+	void apply(bool withLoads);
 
 	/// What a body's loads have given to it [J].
-	double getLoadWork(size_t body) const;
+	double getLoadWork(int body) const;
 
 private:
 	struct Body
@@ -68,8 +67,8 @@ private:
 	btScalar findShare() const;
 	void bookWork(btScalar share);
 
-	std::vector<Body> m_bodies;
-	std::vector<Joint> m_joints;
+	btAlignedObjectArray<Body> m_bodies;
+	btAlignedObjectArray<Joint> m_joints;
 };
 }  // namespace btElasticPlastic
 
