@@ -4,9 +4,13 @@
 #ifndef BT_ELASTIC_PLASTIC_JOINED_SHIFT_H
 #define BT_ELASTIC_PLASTIC_JOINED_SHIFT_H
 
+#include <vector>
+
 #include "../joint/Kinematics.h"
 #include "Islands.h"
 #include "LinearMath/btAlignedObjectArray.h"
+
+class btRigidBody;
 
 namespace btElasticPlastic
 {
