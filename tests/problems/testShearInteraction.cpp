@@ -218,9 +218,10 @@ double shareBorne(Loaded& loaded, const SectionForces6& scaled)
 	return share - 0.005;
 }
 
-SectionForces6 scaledToSurface(const SectionSurface& exact, const SectionForces6& direction)
+/// \param alone  what the section bears of each force, by which the direction is measured
+SectionForces6 scaledToSurface(const SectionSurface& exact, const SectionForces6& alone,
+							   const SectionForces6& direction)
 {
-	const SectionForces6 alone = exact.alone();
 	SectionForces6 force, scaled;
 	for (size_t k = 0; k < 6; ++k)
 		force[k] = direction[k] * alone[k];
@@ -228,6 +229,11 @@ SectionForces6 scaledToSurface(const SectionSurface& exact, const SectionForces6
 	for (size_t k = 0; k < 6; ++k)
 		scaled[k] = direction[k] * radius;
 	return scaled;
+}
+
+SectionForces6 scaledToSurface(const SectionSurface& exact, const SectionForces6& direction)
+{
+	return scaledToSurface(exact, exact.alone(), direction);
 }
 
 SectionForces6 anyDirection(std::mt19937& random)
@@ -293,15 +299,8 @@ TEST(ShearInteraction, IsRightInSectionsThatAreNotSymmetric)
 		double least = 2, most = 0;
 		for (int i = 0; i < 2000; ++i)
 		{
-			const SectionForces6 direction = anyDirection(random);
-			SectionForces6 force, scaled;
-			for (size_t k = 0; k < 6; ++k)
-				force[k] = direction[k] * alone[k];
-			const double radius = exact.radius(force);
-			for (size_t k = 0; k < 6; ++k)
-				scaled[k] = direction[k] * radius;
 			Loaded loaded(capacity);
-			const double share = shareBorne(loaded, scaled);
+			const double share = shareBorne(loaded, scaledToSurface(exact, alone, anyDirection(random)));
 			least = std::min(least, share);
 			most = std::max(most, share);
 		}
