@@ -11,8 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/snapshot/WorldImage.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticSnapshot.h"
 #include "support/DirectSolver.h"
+#include "support/Layout.h"
 #include "support/Precision.h"
 #include "support/Run.h"
 #include "world/EvenCapacity.h"
@@ -351,6 +353,53 @@ TEST(Snapshot, RefusesWhatIsNone)
 	EXPECT_TRUE(restore(scene.m_world, small));
 	EXPECT_EQ(0, btElasticPlasticSave(scene.m_world.bullet(), broadphaseOf(more.m_world), scene.m_world.action(),
 									  nullptr, 0));
+}
+
+/// Where a snapshot's version and the size of its numbers stand, both in two bytes.
+const size_t VERSION_AT = 4, PRECISION_AT = 6;
+
+uint16_t numberAt(const Bytes& bytes, size_t place)
+{
+	uint16_t number;
+	memcpy(&number, bytes.data() + place, sizeof number);
+	return number;
+}
+
+TEST(Snapshot, OfAnotherVersionOrPrecisionIsRefused)
+{
+	Collapse scene(Solver::Direct);
+	scene.run(60);
+	const Bytes snapshot = save(scene.m_world);
+	scene.run(80);
+	const Bytes now = save(scene.m_world);
+	const auto mustRefuse = [&](size_t place, int number, const char* what)
+	{
+		Bytes other = snapshot;
+		const uint16_t written = uint16_t(number);
+		memcpy(other.data() + place, &written, sizeof written);
+		const btElasticPlasticFault fault = restore(scene.m_world, other);
+		ASSERT_TRUE(fault);
+		EXPECT_STREQ(what, fault.m_quantity);
+		EXPECT_EQ(number, int(fault.m_value));
+		EXPECT_STREQ("that of a whole snapshot of this version and precision", fault.m_range);
+		EXPECT_EQ(now, save(scene.m_world)) << what;
+	};
+	const int version = numberAt(snapshot, VERSION_AT);
+	for (const int other : {0, version - 1, version + 1})
+		mustRefuse(VERSION_AT, other, "version");
+	EXPECT_EQ(sizeof(btScalar), numberAt(snapshot, PRECISION_AT));
+	mustRefuse(PRECISION_AT, 12 - int(sizeof(btScalar)), "size of a number [bytes]");
+	EXPECT_FALSE(restore(scene.m_world, snapshot));
+}
+
+/// Snapshots of before are refused by their version alone. So who changes what one holds raises the version in
+/// btElasticPlasticSnapshot.cpp, and then writes both down here.
+TEST(Snapshot, HasANewVersionForANewLayout)
+{
+	Collapse scene(Solver::Direct);
+	EXPECT_EQ(6, numberAt(save(scene.m_world), VERSION_AT));
+	const uint64_t layout = sizeof(btScalar) == sizeof(double) ? 10040526220929393362u : 15489403428586618526u;
+	EXPECT_EQ(layout, btElasticPlastic::layoutOf<btElasticPlastic::WorldImage>());
 }
 
 /// A wall of joined blocks that stands on a static beam: 500 joints.

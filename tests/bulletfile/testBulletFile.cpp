@@ -4,17 +4,22 @@
 // Worlds in Bullet's own files: loaded by Bullet alone, and with elastic-plastic joints put back.
 
 #include <math.h>
+#include <string.h>
 
+#include <algorithm>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/bulletfile/JointBlock.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticBulletFile.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletWorldImporter/btBulletWorldImporter.h"
 #include "LinearMath/btSerializer.h"
+#include "support/Layout.h"
 #include "support/Precision.h"
 #include "support/Run.h"
 #include "world/EvenCapacity.h"
@@ -254,6 +259,51 @@ TEST(BulletFile, WhatIsNoFileOfTheWorldIsRefused)
 	Beam other;
 	other.m_world.action().breakJoint(other.m_world.bullet(), other.m_joints[1]);
 	expectRefused(other.write(), 0, "a file of another world");
+}
+
+/// Where the version of the first joint in a file stands.
+char* versionIn(Bytes& file)
+{
+	const std::string mark = "btEPjoin";
+	return &*std::search(file.begin(), file.end(), mark.begin(), mark.end()) + mark.size();
+}
+
+uint32_t versionOf(Bytes& file)
+{
+	uint32_t version;
+	memcpy(&version, versionIn(file), sizeof version);
+	return version;
+}
+
+TEST(BulletFile, JointsOfAnotherVersionAreRefused)
+{
+	Beam beam;
+	Bytes bytes = beam.write();
+	Loaded loaded(bytes);
+	const uint32_t version = versionOf(bytes);
+	for (const uint32_t other : {uint32_t(0), version - 1, version + 1})
+	{
+		Bytes file = bytes;
+		memcpy(versionIn(file), &other, sizeof other);
+		const btElasticPlasticFault fault = loaded.import(file);
+		ASSERT_TRUE(fault);
+		EXPECT_STREQ("version of a joint in the file", fault.m_quantity);
+		EXPECT_EQ(other, uint32_t(fault.m_value));
+		EXPECT_STREQ("the one that this library writes", fault.m_range);
+		EXPECT_EQ(0, loaded.m_made.size());
+		EXPECT_EQ(4, loaded.m_world.getNumConstraints());
+	}
+	EXPECT_FALSE(loaded.import(bytes));
+}
+
+/// Joints of before are refused by their version alone. So who changes what is written of one raises the version in JointBlock.cpp, and
+/// then writes both down here.
+TEST(BulletFile, HasANewVersionForANewLayout)
+{
+	Bytes bytes = Beam().write();
+	EXPECT_EQ(6u, versionOf(bytes));
+	const uint64_t layout = sizeof(btScalar) == sizeof(double) ? 17960530955433097992u : 12279206520959567224u;
+	EXPECT_EQ(layout, btElasticPlastic::layoutOf<btElasticPlastic::JointBlock>());
 }
 
 TEST(BulletFile, NothingThatIsSpoiltChangesAJoint)

@@ -147,6 +147,55 @@ TEST(SceneState, OfAnotherSceneOrOfNoneIsRefused)
 	}
 }
 
+TEST(SceneState, OfAnotherVersionOrPrecisionIsRefused)
+{
+	Simulation s(sceneOf(HAPPENINGS));
+	const nlohmann::json packed = packState(s.save());
+	const int version = packed["version"];
+	const std::string own = sizeof(btScalar) == sizeof(double) ? "double" : "float",
+					  other = own == "double" ? "float" : "double";
+	for (const int before : {0, version - 1, version + 1})
+	{
+		nlohmann::json foreign = packed;
+		foreign["version"] = before;
+		expectParts(complaintOf([&] { unpackState(foreign); }),
+					{"no state that can be read", "of version " + std::to_string(before) + " in " + own,
+					 "not of version " + std::to_string(version) + " in " + own});
+	}
+	nlohmann::json foreign = packed;
+	foreign["precision"] = other;
+	expectParts(complaintOf([&] { unpackState(foreign); }),
+				{"no state that can be read", "of version " + std::to_string(version) + " in " + other});
+	unpackState(packed);
+}
+
+/// States of before are refused by their version alone. So who changes what one holds raises STATE_VERSION in StateFile.cpp, and then
+/// writes both down here. The world in it is a snapshot with a version of its own.
+TEST(SceneState, HasANewVersionForANewLayout)
+{
+	SimulationState s;
+	s.events.emplace_back();
+	s.changes.emplace_back();
+	s.played = {true};
+	s.brokenBulletsOwn = {1};
+	s.cut.emplace_back();
+	s.cut[0].second.m_fibres.resize(1);
+	s.vehicles.emplace_back();
+	s.vehicles[0].wheels.emplace_back();
+	nlohmann::json packed = packState(s);
+	// The numbers of a joint and of a fibre are many.
+	nlohmann::json& joint = packed["cut"][0][1];
+	EXPECT_EQ(103u, joint["numbers"].size());
+	EXPECT_EQ(8u, joint["fibres"].size());
+	joint["numbers"] = joint["fibres"] = nlohmann::json::array();
+	packed.erase("precision");
+	EXPECT_EQ(
+		R"({"broken_bullets_own":[1],"calm":0.0,"changes":[[0,0]],"cut":[[0,{"fibres":[],"numbers":[]}]],"ending":0,)"
+		R"("energies":[0.0,0.0,0.0,0.0,0.0,0.0,0.0,true],"events":[[0.0,0,0,0,0.0,0.0,0.0,0.0,-1]],"last_substep":1.0,"played":[true],)"
+		R"("time":0.0,"vehicles":[[[[0.0,0.0,0.0,0.0,0]],0.0,0,0.0,0.0,0.0]],"version":5,"world":{"bytes":[],"subtype":null}})",
+		packed.dump());
+}
+
 TEST(SceneState, CannotBeSavedWhereBulletDoesNotTellIt)
 {
 	std::string text = HAPPENINGS;

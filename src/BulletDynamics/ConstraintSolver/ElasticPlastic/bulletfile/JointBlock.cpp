@@ -10,7 +10,6 @@
 
 #include "../../btElasticPlasticJoint.h"
 #include "../joint/JointWorks.h"
-#include "../snapshot/WorldImage.h"
 #include "LinearMath/btSerializer.h"
 
 namespace btElasticPlastic
@@ -51,24 +50,6 @@ struct InDouble
 		return m_archive.list(elements);
 	}
 };
-
-template <class Archive>
-void transfer(Archive& archive, JointBlock& block)
-{
-	archive(block.m_type);
-	for (btTransform& frame : block.m_frames)
-		transfer(archive, frame);
-	transfer(archive, block.m_capacity);
-	transfer(archive, block.m_state);
-	transfer(archive, block.m_levels);
-	archive(block.m_isPaper);
-	archive(block.m_isByMode);
-	transfer(archive, block.m_lastBounds);
-	transferNumbers(archive, block.m_lastFibreBounds);
-	archive(block.m_userType);
-	archive(block.m_userId);
-	transfer(archive, block.m_name);
-}
 
 bool isBound(signed char bound) { return bound >= -1 && bound <= 1; }
 
@@ -158,7 +139,8 @@ btElasticPlasticFault JointBlock::read(const FileChunk& chunk)
 	if (chunk.m_size >= sizeof header)
 		memcpy(&header, chunk.m_data, sizeof header);
 	if (header.m_version != BLOCK_VERSION)
-		return btElasticPlasticFault("version of a joint in the file", btScalar(header.m_version), "6");
+		return btElasticPlasticFault("version of a joint in the file", btScalar(header.m_version),
+									 "the one that this library writes");
 	const unsigned char* const body = chunk.m_data + sizeof header;
 	if (header.m_size > chunk.m_size - sizeof header || checksumOf(body, header.m_size) != header.m_checksum)
 		return btElasticPlasticFault("length of a joint in the file [bytes]", btScalar(header.m_size),

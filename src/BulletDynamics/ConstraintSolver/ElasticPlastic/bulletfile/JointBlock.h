@@ -9,6 +9,7 @@
 #include "../../btElasticPlasticCapacity.h"
 #include "../../btElasticPlasticEvent.h"
 #include "../../btElasticPlasticState.h"
+#include "../snapshot/WorldImage.h"
 #include "FileChunks.h"
 #include "LinearMath/btTransform.h"
 
@@ -44,6 +45,23 @@ struct JointBlock
 	/// \return a fault if it is not whole or of another version
 	btElasticPlasticFault read(const FileChunk& chunk);
 };
+template <class Archive>
+void transfer(Archive& archive, JointBlock& block)
+{
+	archive(block.m_type);
+	for (btTransform& frame : block.m_frames)
+		transfer(archive, frame);
+	transfer(archive, block.m_capacity);
+	transfer(archive, block.m_state);
+	transfer(archive, block.m_levels);
+	archive(block.m_isPaper);
+	archive(block.m_isByMode);
+	transfer(archive, block.m_lastBounds);
+	transferNumbers(archive, block.m_lastFibreBounds);
+	archive(block.m_userType);
+	archive(block.m_userId);
+	transfer(archive, block.m_name);
+}
 }  // namespace btElasticPlastic
 
 #endif  // BT_ELASTIC_PLASTIC_JOINT_BLOCK_H
