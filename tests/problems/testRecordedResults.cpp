@@ -214,7 +214,7 @@ const Recorded RECORDS[] = {
 	 Solver::Iterative,
 	 {0x893f40f4b9a14e76, 0x72c9b45c23548032},
 	 {0x0751f4d8e65a01de, 0x94b20a4132ed8f3f}},
-	{"beam", beam, Solver::Direct, {0x1ba2c0a5afec03a7, 0xffa94d3da79aff12}, {0x29bac1c4403dd8c0, 0x656f7c01be915a60}},
+	{"beam", beam, Solver::Direct, {0x06edca81338ced35, 0xffa94d3da79aff12}, {0x29bac1c4403dd8c0, 0x656f7c01be915a60}},
 	{"beam",
 	 beam,
 	 Solver::Iterative,

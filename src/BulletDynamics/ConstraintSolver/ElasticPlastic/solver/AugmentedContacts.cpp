@@ -88,6 +88,21 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 	return progress;
 }
 
+bool AugmentedContacts::releaseFriction(SystemInput& input, const AdmissibleBox& box) const
+{
+	bool isAny = false;
+	for (const SystemInput::SingleRow& friction : input.m_singleRows)
+	{
+		if (friction.m_normal < 0 || box.getImpulse(friction.m_row) == 0 ||
+			box.getImpulse(input.m_singleRows[size_t(friction.m_normal)].m_row) > 0)
+			continue;
+		SystemInput::Bounded& row = input.m_rows[size_t(friction.m_row)];
+		row.m_lower = row.m_upper = 0;
+		isAny = true;
+	}
+	return isAny;
+}
+
 SystemInput::Bounded AugmentedContacts::getHardRow(const SystemInput& input, int singleRow) const
 {
 	const State& state = m_states[size_t(singleRow)];

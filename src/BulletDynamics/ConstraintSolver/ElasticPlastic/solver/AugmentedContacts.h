@@ -39,6 +39,9 @@ public:
 	/// \param tolerance  of velocities, relative to the fastest approach
 	Progress tighten(SystemInput& input, const AdmissibleBox& box, int loop, double tolerance);
 
+	/// Takes the bounds of friction away where nothing presses any more: they are those of impulses before. \return whether any rubs there
+	bool releaseFriction(SystemInput& input, const AdmissibleBox& box) const;
+
 	/// A contact's row without its softening and multiplier.
 	SystemInput::Bounded getHardRow(const SystemInput& input, int singleRow) const;
 

@@ -395,7 +395,25 @@ bool System::search(SystemInput& input, Effort effort)
 		evaluate(input);
 		settle(input, m_admissible.getImpulses());
 	}
+	if (effort == EXACT && solved && !m_isCut)
+		releaseFriction(input);
 	return finish();
+}
+
+/// Takes friction back where nothing presses any more. Its bounds are those of normal impulses of the loop before, or of the interior
+/// point method's, to within their tolerance. What it has held may part other contacts.
+void System::releaseFriction(SystemInput& input)
+{
+	while (!isSpent() && m_contacts.releaseFriction(input, m_admissible))
+	{
+		const SystemResult last = getResult();
+		evaluate(input);
+		if (!newton(input, true, m_settings.m_maxNewtonSteps))
+		{
+			setResult(last);
+			return;
+		}
+	}
 }
 
 /// \return false if the solution is not a number

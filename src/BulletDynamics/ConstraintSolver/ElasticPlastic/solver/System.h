@@ -127,6 +127,7 @@ private:
 	bool isRight(const SystemInput& input);
 	bool findMinimum(SystemInput& input, Effort effort);
 	bool newton(const SystemInput& input, bool mayCrawl, int maxSteps);
+	void releaseFriction(SystemInput& input);
 	/// Of impulses: b^T lambda, and lambda^T (A + C) lambda.
 	struct Work
 	{
