@@ -308,6 +308,71 @@ TEST(Snapshot, KeepsUnreadEvents)
 	EXPECT_FALSE(other.m_world.action().popEvent(b));
 }
 
+/// Bodies tell games where they are between the world's fixed steps, by motion states.
+struct ShownCollapse : Collapse
+{
+	std::vector<btDefaultMotionState> m_states;
+
+	ShownCollapse() : Collapse(Solver::Direct), m_states(m_bodies.size())
+	{
+		for (size_t i = 0; i < m_bodies.size(); ++i)
+		{
+			m_states[i].setWorldTransform(m_bodies[i]->getWorldTransform());
+			m_bodies[i]->setMotionState(&m_states[i]);
+		}
+	}
+	~ShownCollapse()
+	{
+		for (btRigidBody* body : m_bodies)
+			body->setMotionState(nullptr);
+	}
+	void fixedSteps() { m_world.bullet().stepSimulation(FRAME, 3, FIXED); }
+
+	static constexpr btScalar FIXED = btScalar(1) / 84;
+};
+
+constexpr btScalar ShownCollapse::FIXED;
+
+TEST(Snapshot, ShowsBodiesWhereTheyWere)
+{
+	ShownCollapse scene;
+	int numAsleep = 0;
+	for (int frame = 0; frame < 200; ++frame)
+	{
+		SCOPED_TRACE(frame);
+		ShownCollapse other;
+		ASSERT_FALSE(restore(other.m_world, save(scene.m_world)));
+		for (int i = 0; i < 2; ++i)
+		{
+			for (size_t b = 0; b < scene.m_bodies.size(); ++b)
+			{
+				const btRigidBody& body = *scene.m_bodies[b];
+				btTransform expected, actual;
+				scene.m_states[b].getWorldTransform(expected);
+				other.m_states[b].getWorldTransform(actual);
+				if (body.isActive())
+				{
+					EXPECT_TRUE(expected == actual) << "body " << b;
+					continue;
+				}
+				// The last that it has told in the step in which it fell asleep was between two of the world's steps.
+				++numAsleep;
+				EXPECT_LE(
+					(expected.getOrigin() - actual.getOrigin()).length(),
+					body.getInterpolationLinearVelocity().length() * ShownCollapse::FIXED + byPrecision(1e-14, 1e-6))
+					<< "body " << b;
+			}
+			EXPECT_EQ(hash(scene.m_world), hash(other.m_world));
+			if (i == 0)
+			{
+				scene.fixedSteps();
+				other.fixedSteps();
+			}
+		}
+	}
+	EXPECT_GT(numAsleep, 100);
+}
+
 TEST(Snapshot, RefusesWhatIsNone)
 {
 	Collapse scene(Solver::Direct);
@@ -397,8 +462,8 @@ TEST(Snapshot, OfAnotherVersionOrPrecisionIsRefused)
 TEST(Snapshot, HasANewVersionForANewLayout)
 {
 	Collapse scene(Solver::Direct);
-	EXPECT_EQ(6, numberAt(save(scene.m_world), VERSION_AT));
-	const uint64_t layout = sizeof(btScalar) == sizeof(double) ? 10040526220929393362u : 15489403428586618526u;
+	EXPECT_EQ(7, numberAt(save(scene.m_world), VERSION_AT));
+	const uint64_t layout = sizeof(btScalar) == sizeof(double) ? 5627683949690406320u : 4637900047277776056u;
 	EXPECT_EQ(layout, btElasticPlastic::layoutOf<btElasticPlastic::WorldImage>());
 }
 

@@ -20,6 +20,8 @@ struct btDbvtBroadphase;
 // levels, and unread events. It does not hold what only games change: shapes, masses, factors, gravity, damping, solver settings, the
 // action's waking share, joints' frames, listeners, motion states' own data, and what other actions remember
 // (btElasticPlasticStepper and btElasticPlasticStepControl, too).
+// Motion states of bodies that steps move are told where they are, of sleeping bodies, too: those to within the way that such a body
+// drifted in its last fixed step.
 // See docs/limits.md for what else is left out.
 
 /// Saves a world.

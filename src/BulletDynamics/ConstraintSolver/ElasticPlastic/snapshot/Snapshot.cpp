@@ -29,6 +29,7 @@ struct WorldParts : btDiscreteDynamicsWorld
 		return world.*(&WorldParts::m_constraints);
 	}
 	static btScalar& leftOverOf(btDiscreteDynamicsWorld& world) { return world.*(&WorldParts::m_localTime); }
+	static btScalar& fixedStepOf(btDiscreteDynamicsWorld& world) { return world.*(&WorldParts::m_fixedTimeStep); }
 };
 
 struct CompoundParts : btCompoundCollisionAlgorithm
@@ -300,6 +301,7 @@ WorldImage Snapshot::read() const
 	image.m_broadphase = BroadphaseState(m_broadphase, objects).read();
 	image.m_time = m_registry.getTime();
 	image.m_leftOver = WorldParts::leftOverOf(m_world);
+	image.m_fixedStep = WorldParts::fixedStepOf(m_world);
 	return image;
 }
 
@@ -821,6 +823,10 @@ void Snapshot::write(const WorldImage& image)
 		objects.push_back(mark);
 	BroadphaseState(m_broadphase, objects).write(image.m_broadphase);
 	WorldParts::leftOverOf(m_world) = image.m_leftOver;
-	m_world.synchronizeMotionStates();
+	WorldParts::fixedStepOf(m_world) = image.m_fixedStep;
+	// Those that sleep, too, whose motion states Bullet leaves alone.
+	for (btCollisionObject* object : m_objects)
+		if (btRigidBody* const body = btRigidBody::upcast(object))
+			m_world.synchronizeSingleMotionState(body);
 }
 }  // namespace btElasticPlastic

@@ -375,8 +375,9 @@ struct WorldImage
 	std::vector<EventImage> m_events;
 	std::vector<PairImage> m_pairs;
 	BroadphaseImage m_broadphase;
-	double m_time = 0;        ///< of the action
-	btScalar m_leftOver = 0;  ///< of the world: time that its fixed steps have not reached yet
+	double m_time = 0;         ///< of the action
+	btScalar m_leftOver = 0;   ///< of the world: time that its fixed steps have not reached yet
+	btScalar m_fixedStep = 0;  ///< of the world, the last one: motion states are behind by it
 };
 
 template <class Archive>
@@ -392,6 +393,7 @@ void transfer(Archive& archive, WorldImage& image)
 	transfer(archive, image.m_broadphase);
 	archive(image.m_time);
 	archive(image.m_leftOver);
+	archive(image.m_fixedStep);
 }
 }  // namespace btElasticPlastic
 
