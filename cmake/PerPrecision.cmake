@@ -6,10 +6,12 @@
 #
 #   ep_add_library(<name> SOURCES ... [INCLUDE <directory>...] [LINK <target>...])
 #   ep_add_executable(<name> SOURCES ... [LINK <target>...] [ONE_PRECISION])
-#   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS])   GoogleTest; targets <name>-float and <name>-double
+#   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS] [ONE_PRECISION])
+#                                                         GoogleTest; targets <name>-float and <name>-double
 #   ep_add_window_test(<name> COMMAND ...)                what opens a window, run on a virtual display
 #
-# ONE_PRECISION makes <name> alone: in float, as a game would, where there is a choice.
+# ONE_PRECISION makes one target alone: in float, as a game would, where there is a choice. A program's is <name>.
+# With EP_LIBRARIES_ON_DEMAND libraries are built where a program needs them.
 # DRAWS is for what draws pictures by OpenGL.
 # Without sources a library has headers only, and an executable is left out.
 
@@ -55,9 +57,7 @@ function(_ep_executable target precision)
 	cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;LINK")
 	add_executable(${target} ${arg_SOURCES})
 	_ep_compile(${target})
-	# What has to be fast is in the libraries: a program's own sources, command lines and tests above all, are compiled in half the time
-	# so. Each test is a source by itself, with names of its own.
-	target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<NOT:$<CXX_COMPILER_ID:MSVC>>>:-O1>)
+	# Each test is a source by itself, with names of its own.
 	set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 	_ep_link(${target} PRIVATE ${precision} ${arg_LINK})
 endfunction()
@@ -69,6 +69,7 @@ function(ep_add_library name)
 		if(arg_SOURCES)
 			set(scope PUBLIC)
 			add_library(${target} ${arg_SOURCES})
+			set_target_properties(${target} PROPERTIES EXCLUDE_FROM_ALL "${EP_LIBRARIES_ON_DEMAND}")
 			_ep_compile(${target})
 		else()
 			set(scope INTERFACE)
@@ -96,7 +97,7 @@ endfunction()
 set(EP_OF_DRAWING_TESTS ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)  # graphics drivers leak
 
 function(ep_add_test name)
-	cmake_parse_arguments(PARSE_ARGV 1 arg "DRAWS" "" "SOURCES;LINK")
+	cmake_parse_arguments(PARSE_ARGV 1 arg "DRAWS;ONE_PRECISION" "" "SOURCES;LINK")
 	set(properties "")
 	if(arg_DRAWS)
 		set(properties PROPERTIES ${EP_OF_DRAWING_TESTS})
@@ -105,10 +106,14 @@ function(ep_add_test name)
 		message(STATUS "${name}: no sources, left out")
 		return()
 	endif()
-	foreach(precision IN LISTS EP_PRECISIONS)
+	set(precisions ${EP_PRECISIONS})
+	if(arg_ONE_PRECISION)
+		list(GET EP_PRECISIONS 0 precisions)
+	endif()
+	foreach(precision IN LISTS precisions)
 		set(target ${name}-${precision})
 		_ep_executable(${target} ${precision} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main)
-		target_precompile_headers(${target} PRIVATE <gtest/gtest.h> <btBulletDynamicsCommon.h>)
+		target_precompile_headers(${target} REUSE_FROM ElasticPlasticTestHeaders${EP_SUFFIX_${precision}})
 		# Asked for its tests when they are to run: a program that cannot start fails the tests, not the build.
 		gtest_discover_tests(${target} TEST_SUFFIX .${precision} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 ${properties})
 	endforeach()
