@@ -13,11 +13,12 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
 #include "fuzz/Chance.h"
 #include "fuzz/Quiet.h"
+#include "world/SmallPools.h"
 
 /// A world with a quiet island in it.
 struct Arena
 {
-	btDefaultCollisionConfiguration m_configuration;
+	btDefaultCollisionConfiguration m_configuration{ep::smallPools()};
 	btCollisionDispatcher m_dispatcher{&m_configuration};
 	btDbvtBroadphase m_broadphase;
 	btElasticPlasticConstraintSolver m_direct;

@@ -60,13 +60,17 @@ public:
 		return alone;
 	}
 
-	/// How many times the forces f the section bears: the least of h(q) over all q with q f = 1. By weighted least squares, which only lessen it.
+	/// How many times the forces f the section bears: the least of h(q) over all q with q f = 1. By weighted least squares, which only lessen it,
+	/// until a turn does so by less than a millionth.
 	double radius(const SectionForces6& f) const
 	{
 		std::vector<double> weights(m_cells.size());
 		for (size_t i = 0; i < m_cells.size(); ++i)
 			weights[i] = m_cells[i].area;
-		double best = 1e300, h = 0;
+		double area = 0;
+		for (const ShearCell& c : m_cells)
+			area += c.area;
+		double best = 1e300;
 		for (int k = 0; k < 40; ++k)
 		{
 			double a[6][7] = {};
@@ -90,11 +94,10 @@ public:
 				work += q[r] * f[r];
 			for (double& x : q)
 				x /= work;
-			h = support(q);
+			const double h = support(q), before = best;
 			best = std::min(best, h);
-			double area = 0;
-			for (const ShearCell& c : m_cells)
-				area += c.area;
+			if (best > before * (1 - 1e-6))
+				break;
 			support(q, &weights, 1e-4 * h / area);
 		}
 		return best;

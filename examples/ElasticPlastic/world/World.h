@@ -13,6 +13,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticAction.h"
 #include "BulletDynamics/MLCPSolvers/btMLCPSolverInterface.h"
 #include "world/BulletJoint.h"
+#include "world/SmallPools.h"
 
 namespace ep
 {
@@ -124,7 +125,7 @@ private:
 	const HeldJoint* find(const btElasticPlasticJoint& joint) const;
 
 	Method m_method;
-	btDefaultCollisionConfiguration m_configuration;
+	btDefaultCollisionConfiguration m_configuration{smallPools()};
 	btCollisionDispatcher m_dispatcher;
 	btDbvtBroadphase m_broadphase;
 	std::unique_ptr<btMLCPSolverInterface> m_mlcp;
