@@ -443,13 +443,14 @@ TEST(HardInput, FramesThatAreNoFrames)
 	{
 		btMatrix3x3 m_basis;
 		btVector3 m_origin;
-	} cases[] = {{one, btVector3(nan, 0, 0)},
-				 {one, btVector3(0, inf, 0)},
-				 {btMatrix3x3(nan, 0, 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0)},
-				 {btMatrix3x3(1, btScalar(0.5), 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0)},  // sheared
-				 {btMatrix3x3(-1, 0, 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0)},             // mirrored
-				 {btMatrix3x3(2, 0, 0, 0, 2, 0, 0, 0, 2), btVector3(0, 0, 0)},              // scaled
-				 {btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0), btVector3(0, 0, 0)}};
+		const char* m_what;
+	} cases[] = {{one, btVector3(nan, 0, 0), "origin"},
+				 {one, btVector3(0, inf, 0), "origin"},
+				 {btMatrix3x3(nan, 0, 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0), "right angles"},
+				 {btMatrix3x3(1, btScalar(0.5), 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0), "right angles"},  // sheared
+				 {btMatrix3x3(-1, 0, 0, 0, 1, 0, 0, 0, 1), btVector3(0, 0, 0), "right-handed"},             // mirrored
+				 {btMatrix3x3(2, 0, 0, 0, 2, 0, 0, 0, 2), btVector3(0, 0, 0), "unit length"},               // scaled
+				 {btMatrix3x3(0, 0, 0, 0, 0, 0, 0, 0, 0), btVector3(0, 0, 0), "unit length"}};
 	for (const auto& c : cases)
 		for (bool isInA : {true, false})
 		{
@@ -461,7 +462,7 @@ TEST(HardInput, FramesThatAreNoFrames)
 			constraint->setName("gate hinge");
 			EXPECT_FALSE(constraint->setCapacity(good()));
 			EXPECT_FALSE(scene.m_world.action().addJoint(constraint));
-			expectNames(scene.m_refusals.m_text, isInA ? "frame in body A" : "frame in body B", "is", "right angles");
+			expectNames(scene.m_refusals.m_text, isInA ? "frame in body A" : "frame in body B", "is", c.m_what);
 			run(scene.m_world, 10);
 			EXPECT_NEAR(-10. / 6, scene.m_b->getLinearVelocity().y(), 1e-5);
 		}

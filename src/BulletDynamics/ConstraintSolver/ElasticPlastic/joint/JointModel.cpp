@@ -57,16 +57,29 @@ namespace
 /// A frame's axes may deviate from unit length and right angles by this much; rounding and careless normalisation deviate less.
 const btScalar FRAME_TOLERANCE = btScalar(1e-3);
 
-bool isFrame(const btTransform& frame)
+/// \param isA  of which body the frame is
+btElasticPlasticFault findFrameFault(const btTransform& frame, bool isA)
 {
+	const btVector3& origin = frame.getOrigin();
+	for (int i = 0; i < 3; ++i)
+		if (!btElasticPlasticIsFinite(origin[i]))
+			return btElasticPlasticFault(
+				isA ? "origin of the frame in body A [m]" : "origin of the frame in body B [m]", origin[i], "finite");
 	const btMatrix3x3 product = frame.getBasis().transposeTimes(frame.getBasis());
 	for (int i = 0; i < 3; ++i)
 		for (int j = 0; j < 3; ++j)
-			if (!btElasticPlasticIsFinite(product[i][j]) ||
-				!(btFabs(product[i][j] - btScalar(i == j ? 1 : 0)) < FRAME_TOLERANCE))
-				return false;
-	const btVector3& origin = frame.getOrigin();
-	return frame.getBasis().determinant() > 0 && btElasticPlasticIsFinite(origin.x() + origin.y() + origin.z());
+		{
+			const btScalar deviation = btFabs(product[i][j] - btScalar(i == j ? 1 : 0));
+			if (!btElasticPlasticIsFinite(deviation) || !(deviation < FRAME_TOLERANCE))
+				return btElasticPlasticFault(
+					isA ? "frame in body A: deviation from axes of unit length at right angles"
+						: "frame in body B: deviation from axes of unit length at right angles",
+					deviation, "below 0.001");
+		}
+	if (!(frame.getBasis().determinant() > 0))
+		return btElasticPlasticFault(isA ? "frame in body A: determinant" : "frame in body B: determinant",
+									 frame.getBasis().determinant(), "1, of axes that are right-handed");
+	return btElasticPlasticFault();
 }
 }  // namespace
 
@@ -78,11 +91,9 @@ btElasticPlasticFault JointModel::findFault() const
 		return btElasticPlasticFault("number of bodies", 1, "2: a body cannot be joined to itself");
 	if (bodyA().getInvMass() == 0 && bodyB().getInvMass() == 0)
 		return btElasticPlasticFault("number of bodies with mass", 0, "1 or 2: two static bodies cannot be joined");
-	if (!isFrame(m_frameInA) || !isFrame(m_frameInB))
-		return btElasticPlasticFault(
-			isFrame(m_frameInA) ? "frame in body B: determinant" : "frame in body A: determinant",
-			(isFrame(m_frameInA) ? m_frameInB : m_frameInA).getBasis().determinant(),
-			"1, of three axes of unit length at right angles, with a finite origin");
+	for (const bool isA : {true, false})
+		if (const btElasticPlasticFault fault = findFrameFault(isA ? m_frameInA : m_frameInB, isA))
+			return fault;
 	const btRigidBody* const bodies[2] = {&bodyA(), &bodyB()};
 	for (int i = 3; i < BT_EP_DOF_COUNT; ++i)
 		for (const btRigidBody* body : bodies)
@@ -251,7 +262,7 @@ bool JointModel::measureReference(Kinematics& kinematics) const
 {
 	measure(kinematics);
 	// Two bodies of the same skew basis would measure no strain between them.
-	return kinematics.isUsable() && isFrame(frameA()) && isFrame(frameB());
+	return kinematics.isUsable() && !findFrameFault(frameA(), true) && !findFrameFault(frameB(), false);
 }
 
 /// Makes the present pose the reference of degrees of freedom that were free until now: they hold where the bodies are.
