@@ -26,8 +26,8 @@ class SectionSurface
 public:
 	std::vector<ShearCell> m_cells;
 
-	/// h(q). \param weights  gets A / n of each cell
-	double support(const SectionForces6& q, std::vector<double>* weights = nullptr, double least = 0) const
+	/// h(q). \param rates  gets the root of each cell
+	double support(const SectionForces6& q, std::vector<double>* rates = nullptr) const
 	{
 		double sum = 0;
 		for (size_t i = 0; i < m_cells.size(); ++i)
@@ -42,8 +42,8 @@ public:
 			}
 			const double n = std::sqrt(square);
 			sum += c.area * n;
-			if (weights)
-				(*weights)[i] = c.area / std::max(n, least);
+			if (rates)
+				(*rates)[i] = n;
 		}
 		return sum;
 	}
@@ -60,16 +60,16 @@ public:
 		return alone;
 	}
 
-	/// How many times the forces f the section bears: the least of h(q) over all q with q f = 1. By weighted least squares, which only lessen it,
-	/// until a turn does so by less than a millionth.
+	/// How many times the forces f the section bears: the least of h(q) over all q with q f = 1. By weighted least squares, which only lessen it.
 	double radius(const SectionForces6& f) const
 	{
-		std::vector<double> weights(m_cells.size());
-		for (size_t i = 0; i < m_cells.size(); ++i)
-			weights[i] = m_cells[i].area;
+		std::vector<double> weights(m_cells.size()), rates(m_cells.size());
 		double area = 0;
-		for (const ShearCell& c : m_cells)
-			area += c.area;
+		for (size_t i = 0; i < m_cells.size(); ++i)
+		{
+			weights[i] = m_cells[i].area;
+			area += m_cells[i].area;
+		}
 		double best = 1e300;
 		for (int k = 0; k < 40; ++k)
 		{
@@ -94,11 +94,10 @@ public:
 				work += q[r] * f[r];
 			for (double& x : q)
 				x /= work;
-			const double h = support(q), before = best;
+			const double h = support(q, &rates), least = 1e-4 * h / area;
 			best = std::min(best, h);
-			if (best > before * (1 - 1e-6))
-				break;
-			support(q, &weights, 1e-4 * h / area);
+			for (size_t i = 0; i < m_cells.size(); ++i)
+				weights[i] = m_cells[i].area / std::max(rates[i], least);
 		}
 		return best;
 	}
