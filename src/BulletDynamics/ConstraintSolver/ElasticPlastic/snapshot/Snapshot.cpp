@@ -256,6 +256,7 @@ std::vector<PairImage> Snapshot::readPairs() const
 {
 	std::vector<PairImage> images;
 	const btBroadphasePairArray& pairs = m_broadphase.getOverlappingPairCache()->getOverlappingPairArray();
+	images.reserve(size_t(pairs.size()));
 	btManifoldArray manifolds;
 	for (int i = 0; i < pairs.size(); ++i)
 	{
@@ -285,6 +286,10 @@ std::vector<PairImage> Snapshot::readPairs() const
 WorldImage Snapshot::read() const
 {
 	WorldImage image;
+	// A large world's image is so large that memory for it comes from the system, page by page: none that it has no need of.
+	image.m_objects.reserve(m_objects.size());
+	image.m_joints.reserve(size_t(m_registry.getNumJoints()));
+	image.m_constraints.reserve(size_t(m_world.getNumConstraints()));
 	for (const btCollisionObject* object : m_objects)
 		image.m_objects.push_back(readObject(*object));
 	image.m_hasToken = m_registry.getMark() != nullptr;
