@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/DirectSolver.h"
 #include "support/Pair.h"
 #include "support/Precision.h"
 #include "support/Row.h"
@@ -110,7 +111,8 @@ TEST(Events, LevelsAreToldWhenTheyArePassed)
 
 TEST(Events, ALevelIsToldAgainAfterItWasLeft)
 {
-	Pair pair(Solver::Direct);
+	// Long steps damp: a load that comes suddenly does not swing up to twice its size.
+	Pair pair(withoutInnerSteps());
 	btElasticPlasticJoint* joint = pair.join(evenCapacity(1e6, 1e3));
 	ASSERT_TRUE(joint->setLevel(BT_EP_QUANTITY_UTILISATION, btScalar(0.5)));
 	int events = 0;

@@ -12,6 +12,7 @@
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/CoupledPair.h"
 #include "scenes/Member.h"
+#include "support/DirectSolver.h"
 #include "support/Precision.h"
 #include "support/Run.h"
 #include "world/EnergyAudit.h"
@@ -180,7 +181,8 @@ TEST(CoupledPair, FlowMakesNoEnergy)
 	int flows = 0;
 	for (int trial = 0; trial < 60; ++trial)
 	{
-		World world(Solver::Direct, btVector3(0, 0, 0));
+		const bool hasInnerSteps = trial % 2 == 1;
+		World world(hasInnerSteps ? Method(Solver::Direct) : withoutInnerSteps(), btVector3(0, 0, 0));
 		btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(between(20e6, 200e6));
 		const btElasticPlasticSection section = btElasticPlasticSection::rectangle(btScalar(0.05), btScalar(0.1));
 		btRigidBody* before = world.body(0, world.box(btVector3(1, 1, 1)), at(btScalar(-0.5)), false);
@@ -206,7 +208,7 @@ TEST(CoupledPair, FlowMakesNoEnergy)
 			lengthBefore = length;
 			place += length;
 		}
-		const btScalar dt = btScalar(1) / (trial % 3 == 0 ? 60 : trial % 3 == 1 ? 240 : 960);
+		const btScalar dt = btScalar(1) / (trial % 6 < 2 ? 60 : trial % 6 < 4 ? 240 : 960);
 		EnergyAudit audit(world);
 		const double put = world.kineticEnergy();
 		for (int i = 0; i < 1 / dt; ++i)
@@ -219,7 +221,8 @@ TEST(CoupledPair, FlowMakesNoEnergy)
 			ASSERT_LE(world.kineticEnergy() + elastic, put * 1.001) << "trial " << trial << " at " << i * dt;
 		}
 		EXPECT_LT(world.kineticEnergy(), put / 2);
-		EXPECT_EQ(0, audit.createdByJoints()) << "trial " << trial;
+		// What has flowed in the last of several inner steps is not told, and the audit takes it for an even share.
+		EXPECT_LE(audit.createdByJoints(), hasInnerSteps ? 0.01 : 0.) << "trial " << trial;
 		for (const btElasticPlasticJoint* joint : world.joints())
 			for (int plane = 0; plane < 2; ++plane)
 				flows += joint->getPlasticPath(BT_EP_SHEAR_Y + plane) > 0 &&

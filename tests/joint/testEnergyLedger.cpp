@@ -13,6 +13,7 @@
 
 #include "scenes/destruction/Catalogue.h"
 #include "support/Close.h"
+#include "support/DirectSolver.h"
 #include "support/Pair.h"
 #include "support/Run.h"
 #include "world/EnergyAudit.h"
@@ -28,7 +29,7 @@ struct FreeStructure
 {
 	World m_world;
 
-	FreeStructure(Solver solver, unsigned seed) : m_world(solver, btVector3(0, 0, 0)), m_random(seed)
+	FreeStructure(const Method& method, unsigned seed) : m_world(method, btVector3(0, 0, 0)), m_random(seed)
 	{
 		m_world.bullet().getSolverInfo().m_numIterations = int(spread(1, 50));
 		const int n = 2 + int(uniform(0, 8));
@@ -109,17 +110,17 @@ TEST(EnergyLedger, FreeStructuresGainNothing)
 
 /// Places are half a step ahead of velocities, so in a joint's first step its springs and its flow would be ahead of what bodies have given:
 /// in 11 of these scenes by up to 1.1 %.
-TEST(EnergyLedger, FreeStructuresOfTheDirectFormTellNoMoreThanTheyHad)
+void expectToldNoMoreThanHad(const Method& method, double share)
 {
 	for (const bool changes : {false, true})
 		for (unsigned seed = 0; seed < 1000; ++seed)
 		{
 			SCOPED_TRACE(testing::Message() << "changes " << changes << ", seed " << seed);
-			FreeStructure structure(Solver::Direct, seed);
+			FreeStructure structure(method, seed);
 			World& world = structure.m_world;
 			const double dt = structure.spread(1. / 1000, 1. / 30), first = world.kineticEnergy();
-			// In later steps, too, places are ahead, and nothing is held back: 0.1 % is allowed.
-			const double ahead = 1e-3 * first;
+			// In later steps, too, places are ahead, and nothing is held back.
+			const double ahead = share * first;
 			for (int i = 0; i < 100; ++i)
 			{
 				world.step(btScalar(changes ? dt * structure.spread(0.3, 1 / 0.3) : dt));
@@ -135,6 +136,13 @@ TEST(EnergyLedger, FreeStructuresOfTheDirectFormTellNoMoreThanTheyHad)
 				ASSERT_LE(flowed, work + ahead) << i;
 			}
 		}
+}
+
+TEST(EnergyLedger, FreeStructuresOfTheDirectFormTellNoMoreThanTheyHad)
+{
+	expectToldNoMoreThanHad(withoutInnerSteps(), 1e-3);
+	// In two of the 2000 it is more, 0.28 % at most: joints so stiff that they flow in the first of 32 inner steps.
+	expectToldNoMoreThanHad(Solver::Direct, 3e-3);
 }
 
 TEST(EnergyLedger, KeepsMomentum)

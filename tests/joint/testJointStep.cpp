@@ -31,7 +31,7 @@ TEST(JointStep, EvaluatingChangesNothing)
 	{
 		EXPECT_EQ(6, step.prepare());
 		step.revert();
-		EXPECT_EQ(0, step.commit());
+		EXPECT_EQ(0, step.commit(1, false));
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
@@ -249,7 +249,7 @@ TEST(JointStep, ASearchThatIsCutLeavesNumbers)
 		const signed char bounds[BT_EP_DOF_COUNT] = {};
 		step.setSolution(impulses, bounds);
 		step.setCut();
-		EXPECT_EQ(0, step.commit());
+		EXPECT_EQ(0, step.commit(1, false));
 		EXPECT_EQ(0, joint->getPlasticEnergy());
 		EXPECT_FALSE(joint->hasYielded());
 		EXPECT_TRUE(joint->setState(joint->getState()));

@@ -15,6 +15,7 @@
 
 #include "scenes/BlockUnderTension.h"
 #include "scenes/Cantilever.h"
+#include "support/DirectSolver.h"
 #include "support/Precision.h"
 #include "support/Run.h"
 #include "world/EvenCapacity.h"
@@ -27,7 +28,7 @@ using namespace ep;
 /// A row of blocks on a support, joined by springs along the row.
 struct Chain
 {
-	World m_world{Solver::Direct, btVector3(0, 0, 0)};
+	World m_world{withoutInnerSteps(), btVector3(0, 0, 0)};
 	std::vector<btRigidBody*> m_blocks;
 	std::vector<btElasticPlasticJoint*> m_joints;
 
@@ -226,7 +227,7 @@ TEST(Damping, OfTheSchemeLeavesABlowItsFlow)
 		for (const bool blockFirst : {false, true})
 		{
 			BlockUnderTension::Settings settings;
-			settings.method = Solver::Direct;
+			settings.method = withoutInnerSteps();
 			settings.blockFirst = blockFirst;
 			if (blockFirst)
 				settings.turn = btQuaternion(btVector3(1, -2, 2).normalized(), btScalar(0.8));

@@ -131,7 +131,7 @@ class Loaded
 public:
 	explicit Loaded(const btElasticPlasticCapacity& capacity, bool isReversed = false,
 					const btQuaternion& turn = btQuaternion(0, 0, 0, 1))
-		: m_world(Solver::Direct, btVector3(0, 0, 0)), m_frame(turn), m_sign(isReversed ? -1 : 1)
+		: m_world(withoutInnerSteps(), btVector3(0, 0, 0)), m_frame(turn), m_sign(isReversed ? -1 : 1)
 	{
 		btCollisionShape* const shape = m_world.box(btVector3(1, 1, 1));
 		btRigidBody* const ground = m_world.body(0, shape, m_frame, false);

@@ -5,6 +5,7 @@
 
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -162,9 +163,12 @@ TEST(Gltf, TracksOfBodiesAreTheirPoses)
 	EXPECT_EQ(joint.Get("utilisation").ArrayLen(), poses.size());
 	EXPECT_TRUE(joint.Get("is_broken").Get<bool>());
 	const tinygltf::Value& events = model.scenes[0].extras.Get("events");
-	ASSERT_GE(events.ArrayLen(), 2u);
-	EXPECT_EQ(events.Get(0).Get("event").Get<std::string>(), "yield");
-	EXPECT_EQ(events.Get(1).Get("event").Get<std::string>(), "break");
+	std::vector<std::string> told;
+	for (int i = 0; i < int(events.ArrayLen()); ++i)
+		told.push_back(events.Get(i).Get("event").Get<std::string>());
+	ASSERT_GE(told.size(), 2u);
+	EXPECT_EQ(told.front(), "yield");
+	EXPECT_EQ(std::count(told.begin(), told.end(), "break"), 1);
 }
 
 namespace

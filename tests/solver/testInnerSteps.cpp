@@ -18,13 +18,15 @@
 #include "support/DirectSolver.h"
 #include "support/Run.h"
 #include "world/EnergyAudit.h"
+#include "world/EvenCapacity.h"
 #include "world/Place.h"
 
 namespace
 {
 using namespace ep;
 
-const double ERROR_ALLOWED = 0.05;
+/// By default, and what comes of it.
+const double ERROR_ALLOWED = btElasticPlasticSolverSettings().m_innerError, ERROR_FOUND = 0.05;
 
 void takeInnerSteps(World& world, double error = ERROR_ALLOWED, int most = 64)
 {
@@ -64,10 +66,19 @@ double plasticEnergy(const World& world)
 	return energy;
 }
 
+/// What joints have taken from their bodies [J]. Of what they tell as plastic they hold back a part in their first steps.
+double jointWork(const World& world)
+{
+	double work = 0;
+	for (const btElasticPlasticJoint* joint : world.joints())
+		work += joint->getWork();
+	return work;
+}
+
 /// A box that falls on the middle of a steel beam of 4 m between two fixed supports.
 struct Drop
 {
-	World m_world{Solver::Direct};
+	World m_world{withoutInnerSteps()};
 	btRigidBody* m_box;
 
 	explicit Drop(double height, double restitution = 0)
@@ -106,7 +117,9 @@ double deepestContact(World& world, int steps)
 TEST(InnerSteps, EqualSubstepsOfTheWorld)
 {
 	// Whatever they leave open, eight.
-	ParkesCantilever inner{ParkesCantilever::Settings()}, outer{ParkesCantilever::Settings()};
+	ParkesCantilever::Settings settings;
+	settings.method = withoutInnerSteps();
+	ParkesCantilever inner(settings), outer(settings);
 	takeInnerSteps(inner.m_world, 1e-12, 8);
 	for (int i = 0; i < 6; ++i)
 	{
@@ -116,7 +129,7 @@ TEST(InnerSteps, EqualSubstepsOfTheWorld)
 		const double close = byPrecision(1e-9, 1e-3);
 		expectClose(outer.tip(), inner.tip(), close);
 		expectClose(outer.rootRotation(), inner.rootRotation(), close);
-		expectClose(plasticEnergy(outer.m_world), plasticEnergy(inner.m_world), close);
+		expectClose(jointWork(outer.m_world), jointWork(inner.m_world), close);
 		EXPECT_NEAR(double(outer.m_mass->getLinearVelocity().y()), double(inner.m_mass->getLinearVelocity().y()),
 					25 * close);
 	}
@@ -128,7 +141,9 @@ TEST(InnerSteps, EqualSubstepsOfTheWorld)
 TEST(InnerSteps, AreNotThereForWhatNeedsNone)
 {
 	// Elastic, with 1 t on blocks of 120 kg: to the bit what it is without.
-	HangingChain with{HangingChain::Settings()}, without{HangingChain::Settings()};
+	HangingChain::Settings settings;
+	settings.method = withoutInnerSteps();
+	HangingChain with(settings), without(settings);
 	takeInnerSteps(with.m_world);
 	for (int i = 0; i < 60; ++i)
 	{
@@ -142,11 +157,11 @@ TEST(InnerSteps, AreNotThereForWhatNeedsNone)
 
 TEST(InnerSteps, KeepToTheErrorInProblemsAtTheGamesStep)
 {
-	// All quantities of all problems at 1/60 s. Left are: the offset of a block that flows by 60 mm to and fro, of which 3 mm stay; a
+	// All quantities of all problems at 1/60 s. Left are: in float, the offset of a block that flows by 60 mm to and fro, of which 3 mm stay, and a
 	// mass that is dropped on a beam and hops; waves under a light mass that 64 inner steps do not resolve; a body that tears a crack open in
 	// eight steps, which is no part of the estimate; and what a body goes along the axis as it turns, for which it would take more fibres.
-	const std::map<std::string, double> hard = {{"block-reversed-90kN", 0.2},
-												{"dropped-mass", 0.065},
+	const std::map<std::string, double> hard = {{"block-reversed-90kN", byPrecision(0.05, 0.3)},
+												{"dropped-mass", byPrecision(0.05, 0.065)},
 												{"parkes-light", 0.15},
 												{"crack-opening", 0.12},
 												{"body-flies-and-turns", 0.4}};
@@ -154,7 +169,7 @@ TEST(InnerSteps, KeepToTheErrorInProblemsAtTheGamesStep)
 	{
 		const Outcome outcome = problem.solve(Solver::Direct, innerStepsOf(1. / 60));
 		const auto found = hard.find(problem.name);
-		const double allowed = found == hard.end() ? ERROR_ALLOWED : found->second;
+		const double allowed = found == hard.end() ? ERROR_FOUND : found->second;
 		for (const Quantity& quantity : outcome.quantities)
 			EXPECT_LT(quantity.error(), allowed)
 				<< problem.name << ", " << quantity.name << ": " << quantity.value << " instead of " << quantity.exact;
@@ -189,8 +204,7 @@ TEST(InnerSteps, ThatBeginInASwingGetWhatItHasHadSoFar)
 		for (const int rate : {120, 180, 240})
 		{
 			const Outcome outcome = findProblem(name)->solve(Solver::Direct, innerStepsOf(1. / rate));
-			// The error allowed, and what a first short step dissipates (Law.h): up to 0.06 and 0.04.
-			EXPECT_LT(outcome.error(), rate < 240 ? 0.065 : ERROR_ALLOWED) << name << " at 1/" << rate << " s";
+			EXPECT_LT(outcome.error(), ERROR_FOUND) << name << " at 1/" << rate << " s";
 			EXPECT_LT(outcome.energyCreated, 1e-3) << name << " at 1/" << rate << " s";
 		}
 }
@@ -250,6 +264,21 @@ TEST(InnerSteps, ContactsAreFoundBeforeBodiesTouch)
 	EXPECT_GT(deepestContact(without.m_world, 75), 0.05);
 	// Points are carried along a straight way while bodies turn.
 	EXPECT_LT(deepestContact(with.m_world, 75), 0.01);
+}
+
+TEST(InnerSteps, AnEdgeThatPassesByAFaceIsNoContactAhead)
+{
+	// Two joined boxes fall past a post that they overlap by 2 mm to the side: where they have met by more than that, the normal points to the side.
+	World world(Solver::Direct, btVector3(0, 0, 0));
+	btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+	world.body(0, cube, at(0));
+	btRigidBody &first = *world.body(100, cube, at(0.998, 1.05)), &second = *world.body(100, cube, at(1.998, 1.05));
+	world.joint(first, second, at(1.498, 1.05), evenCapacity(1e8, 1e4));
+	for (btRigidBody* body : {&first, &second})
+		body->setLinearVelocity(btVector3(0, -10, 0));
+	world.step(FRAME);
+	EXPECT_NEAR(-10, double(first.getLinearVelocity().y()), byPrecision(1e-9, 1e-4));
+	EXPECT_NEAR(0, double(first.getLinearVelocity().x()), byPrecision(1e-9, 1e-4));
 }
 
 /// Adds to velocities when it is told to.
@@ -439,16 +468,14 @@ struct BeamBesideBoxes
 
 TEST(InnerSteps, CostTheirIslandAlone)
 {
-	BeamBesideBoxes with, without;
-	takeInnerSteps(with.m_world, 1e-12, 8);
+	BeamBesideBoxes scene;
+	takeInnerSteps(scene.m_world, 1e-12, 8);
 	for (int i = 0; i < 30; ++i)
-	{
-		with.step();
-		without.step();
-	}
-	EXPECT_GE(statisticsOf(with.m_world).m_innerSteps, 30 * 8);
+		scene.step();
+	// But where nothing is near yield.
+	EXPECT_GE(statisticsOf(scene.m_world).m_innerSteps, 20 * 8);
 	// The boxes are none of the islands that are taken through them.
-	EXPECT_LE(statisticsOf(with.m_world).m_islands, 30 * 10);
+	EXPECT_LE(statisticsOf(scene.m_world).m_islands, 30 * 10);
 }
 
 TEST(InnerSteps, SettingsOutOfRangeAreRefused)

@@ -87,7 +87,7 @@ TEST(WorkBound, HoweverSmallMakesNoEnergy)
 /// The most work of a step in which boxes that are joined in pairs begin in one place, each a millimetre beside the last.
 long long mostWorkOfPile(btElasticPlasticContacts contacts, int numBoxes, long long maxWork)
 {
-	World world(Solver::Direct);
+	World world(withoutInnerSteps());
 	btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
 	settings.m_maxWork = maxWork;
 	settings.m_contacts = contacts;

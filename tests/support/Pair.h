@@ -17,9 +17,9 @@ struct Pair
 	btTransform m_frame = ep::at(0.5);
 
 	/// \param massA  0: a fixed one
-	explicit Pair(ep::Solver solver = ep::Solver::Iterative, btScalar massA = 0, btScalar massB = 12,
+	explicit Pair(const ep::Method& method = ep::Solver::Iterative, btScalar massA = 0, btScalar massB = 12,
 				  const btVector3& gravity = btVector3(0, 0, 0), bool collides = false)
-		: m_world(solver, gravity)
+		: m_world(method, gravity)
 	{
 		btCollisionShape* cube = m_world.box(btVector3(1, 1, 1));
 		m_a = m_world.body(massA, cube, ep::at(0), collides);

@@ -77,6 +77,7 @@ enum : unsigned
 	ContactCoupling = 8,       ///< contacts are solved after the joints, by themselves (direct solver)
 	ContinuousCollision = 16,  ///< Bullet's sweep of bodies that move further than their size
 	Interaction = 32,          ///< of forces in a section with fibres: each yields by itself
+	InnerSteps = 64,           ///< of the direct solver under a blow: each step of the world is one
 	OfJoints = Elasticity | Shear | Torsion | Interaction
 };
 }
@@ -101,6 +102,13 @@ struct Method
 	{
 	}
 	JointKind kind() const { return {joints, jointClass}; }
+
+	Method alsoWithout(unsigned these) const
+	{
+		Method method = *this;
+		method.without |= these;
+		return method;
+	}
 };
 }  // namespace ep
 

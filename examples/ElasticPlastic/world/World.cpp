@@ -73,6 +73,12 @@ std::unique_ptr<btConstraintSolver> World::makeSolver()
 	auto ours = m_method.has(parts::ContactCoupling) ? std::make_unique<btElasticPlasticConstraintSolver>()
 													 : std::make_unique<ContactsApart>();
 	ours->setForm(m_method.solver == Solver::Direct ? BT_EP_DIRECT : BT_EP_ITERATIVE);
+	if (!m_method.has(parts::InnerSteps))
+	{
+		btElasticPlasticSolverSettings settings = ours->getSettings();
+		settings.m_innerError = 0;
+		ours->setSettings(settings);
+	}
 	return ours;
 }
 

@@ -117,6 +117,9 @@ std::vector<Setting> settingsToCompare(int rate, int substeps, bool hasFibres, b
 		addParts(settings);
 	if (rate == 60 && substeps == 8 && hasFibres)
 		addNumbersOfFibres(settings);
+	// Errors are told over the step: each is as long as it says.
+	for (Setting& setting : settings)
+		setting.method = setting.method.alsoWithout(parts::InnerSteps);
 	return settings;
 }
 }  // namespace ep

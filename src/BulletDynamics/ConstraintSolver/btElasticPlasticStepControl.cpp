@@ -6,6 +6,8 @@
 #include <math.h>
 
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
+#include "ElasticPlastic/joint/JointRegistry.h"
+#include "ElasticPlastic/joint/JointWorks.h"
 #include "ElasticPlastic/stepping/Approach.h"
 #include "ElasticPlastic/stepping/FreeFlight.h"
 #include "ElasticPlastic/stepping/OpenWork.h"
@@ -26,6 +28,17 @@ const double NOTHING_SHARE = 1. / 1000;
 const double SEARCH_SHARE = 1. / 4;
 /// The most that a joined body may turn in a substep [rad].
 const double MOST_TURN = 1;
+
+/// Tells joints that the coming substep is as short as they need, so that the solver takes no inner steps.
+void tellJoints(btDynamicsWorld& world)
+{
+	for (int i = 0; i < world.getNumConstraints(); ++i)
+	{
+		const JointWorks* const joint = JointWorks::from(world.getConstraint(i));
+		if (joint && joint->m_entry.m_registry)
+			return joint->m_entry.m_registry->setStepControlled();
+	}
+}
 }  // namespace
 
 struct btElasticPlasticStepControl::Works
@@ -149,6 +162,7 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	if (w.m_left <= 0)
 		return 0;
 	w.lookAhead(world);
+	tellJoints(world);
 	w.m_parts = 1 << (MAX_LEVEL - w.m_level);
 	const btScalar share = 1 / btScalar(1 << w.m_level);
 	w.m_errorReduction.restore(world);

@@ -41,7 +41,7 @@ public:
 	void begin(btScalar dt);
 
 	/// Length of the next substep, for btDynamicsWorld::stepSimulation(length, 0) [s]; 0: the step is over.
-	/// During the substep the world's error reduction (btContactSolverInfo::m_erp, m_erp2) is less in proportion: penetration
+	/// The direct form takes no inner steps in it (btElasticPlasticSolverSettings::m_innerError). During the substep the world's error reduction (btContactSolverInfo::m_erp, m_erp2) is less in proportion: penetration
 	/// that a long step has left would else be pushed out at the speed of a blow. A substep that was begun but is not stepped
 	/// has to be observed too, or the world keeps it so.
 	btScalar next(btDynamicsWorld& world);

@@ -17,6 +17,8 @@ Method methodOf(const Stage::Settings& settings)
 {
 	Method method(settings.isBulletsWay ? Solver::Stock : Solver::Direct);
 	method.iterations = settings.iterations;
+	if (!settings.takesInnerSteps)
+		method.without |= parts::InnerSteps;
 	return method;
 }
 

@@ -33,6 +33,7 @@ public:
 		int iterations = 10;    ///< of sequential impulses and of swept contacts
 		btScalar strength = 1;  ///< factor on yield stresses
 		bool sleeps = true;     ///< bodies at rest fall asleep, as is Bullet's default
+		bool takesInnerSteps = true;
 	};
 
 	/// The direction of a joint's x axis, and with it of the member that it stands for.

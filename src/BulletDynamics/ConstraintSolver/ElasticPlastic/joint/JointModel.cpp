@@ -520,12 +520,12 @@ double JointModel::paidShare() const
 /// Before the first step nothing is behind a joint, and its force begins as that of a leapfrog does: places and what depends on them are
 /// half a step ahead of the bodies' velocities, and of what these have given. Under a load they may stay ahead, so that what is owed is halved
 /// from step to step.
-void JointModel::findOwed(bool isFirstStep)
+void JointModel::findOwed(double share, bool isNew)
 {
-	if (m_isPaper || (!isFirstStep && m_state.m_storedEnergy >= 0))
+	if (m_isPaper || (!isNew && m_state.m_storedEnergy >= 0))
 		return;
 	const double ahead = fmax(springEnergy() + dissipatedEnergy() - m_state.m_work, 0);
-	m_state.m_storedEnergy = -(isFirstStep ? ahead : fmin(ahead, -0.5 * m_state.m_storedEnergy));
+	m_state.m_storedEnergy = -(isNew ? ahead : fmin(ahead, -pow(0.5, share) * m_state.m_storedEnergy));
 }
 
 double JointModel::springEnergy() const

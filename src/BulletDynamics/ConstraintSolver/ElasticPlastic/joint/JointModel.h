@@ -97,7 +97,9 @@ struct JointModel
 	double paidShare() const;
 
 	/// After a step that has been solved exactly: what bodies still owe for the joint's first step.
-	void findOwed(bool isFirstStep);
+	/// \param share  of the world's step: 1, or less of an inner one
+	/// \param isNew  the joint has its first step of the world
+	void findOwed(double share, bool isNew);
 
 	/// By flow and by damping, whether it has been given for or not [J].
 	double dissipatedEnergy() const { return m_state.m_plasticEnergy + m_state.m_dampingEnergy; }

@@ -73,6 +73,10 @@ public:
 	void setWakingShare(btScalar share) { m_wakingShare = share; }
 	btScalar getWakingShare() const { return m_wakingShare; }
 
+	/// Tells that a btElasticPlasticStepControl has chosen the length of the coming substep: then there are no inner steps.
+	void setStepControlled() { m_controlledTime = m_time; }
+	bool isStepControlled() const { return m_controlledTime == m_time; }
+
 	/// Wakes a body, with its weight in what is left of the step.
 	void wake(btRigidBody& body);
 
@@ -174,6 +178,7 @@ private:
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;
+	double m_controlledTime = -1;             ///< of the last substep that was
 	int m_numNumbers = 0;                     ///< that joints have got
 	btScalar m_wakingShare = btScalar(0.05);  ///< see btElasticPlasticAction::setWakingShare
 	bool m_isCommitting = false;              ///< whether a substep is being ended

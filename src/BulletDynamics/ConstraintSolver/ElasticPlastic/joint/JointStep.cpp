@@ -102,6 +102,7 @@ bool JointStep::evaluate(btScalar dt)
 /// back with a part of the force that holds the body on its circle. A step that is shorter by a factor s would take all of it back
 /// in its shorter time, with 1 / s^2 times that force, and a stiff joint would yield at rest. So it meets s^2 of the drift, what it
 /// will leave itself. The rest is withheld, and each later step meets s^2 of what is left, until all of it has been taken back.
+/// What is more than turns leave is none: somebody has put a body elsewhere.
 void JointStep::withholdDrift()
 {
 	const btElasticPlasticState& state = m_model.m_state;
@@ -109,13 +110,20 @@ void JointStep::withholdDrift()
 	const bool isShorter = m_dt < last && state.m_solvedExactly && !m_model.m_isPaper;
 	m_withheldStep = isShorter ? btMax(last, state.m_withheldStep) : state.m_withheldStep;
 	const btScalar met = m_withheldStep > m_dt ? m_dt / m_withheldStep * (m_dt / m_withheldStep) : btScalar(1);
+	const btScalar mostTurn = m_withheldStep * m_withheldStep * (m_spin0[0].length2() + m_spin0[1].length2()),
+				   mostWay = m_withheldStep * m_withheldStep *
+							 (m_spin0[0].length2() * m_kinematics.m_rA.length() +
+							  m_spin0[1].length2() * m_kinematics.m_rB.length());
 	bool isAnyLeft = false;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
 		m_withheld[i] = state.m_withheld[i];
 		const bool isSpring = m_model.isElasticPlastic(i) && !m_model.m_capacity.isRigidPlastic(i);
 		if (isShorter && isSpring)
-			m_withheld[i] = m_kinematics.m_strain[i] - m_model.elasticDeformation(i);
+		{
+			const btScalar most = i < 3 ? mostWay : mostTurn;
+			m_withheld[i] = btClamped(m_kinematics.m_strain[i] - m_model.elasticDeformation(i), -most, most);
+		}
 		m_withheld[i] = isSpring ? m_withheld[i] * (1 - met) : btScalar(0);
 		m_kinematics.m_strain[i] -= m_withheld[i];
 		isAnyLeft |= m_withheld[i] != 0;
@@ -590,7 +598,7 @@ void JointStep::rememberPlace()
 	m_model.m_state.m_placeEnergy = strainEnergy(now);
 }
 
-int JointStep::commit()
+int JointStep::commit(double share, bool isNew)
 {
 	m_numCommittedRows = m_numRows;
 	if (m_numRows == 0)
@@ -626,7 +634,7 @@ int JointStep::commit()
 	}
 	else if (isCut)
 		limitFlow(work - state.m_work, mappedRows);
-	const btScalar share = shareUntilBreak(mappedRows);
+	const btScalar borne = shareUntilBreak(mappedRows);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		Row& row = m_row[r];
@@ -640,7 +648,7 @@ int JointStep::commit()
 		unloaded[i] = mapped.m_unloaded - (m_hasRecovery ? m_dt * m_recovery[i] : btScalar(0));
 		if (mapped.m_increment == 0)
 			continue;
-		increment[i] = (r < numPlain ? share : btScalar(1)) * mapped.m_increment;
+		increment[i] = (r < numPlain ? borne : btScalar(1)) * mapped.m_increment;
 		state.m_plastic[i] += increment[i];
 		state.m_plasticPath[i] += btFabs(increment[i]);
 		if (r >= numPlain)
@@ -653,7 +661,6 @@ int JointStep::commit()
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		state.m_withheld[i] = m_withheld[i];
 	state.m_withheldStep = m_withheldStep;
-	const bool isFirstStep = state.m_lastStep == 0;
 	state.m_lastStep = m_dt;
 	for (int side = 0; side < 2; ++side)
 	{
@@ -668,7 +675,7 @@ int JointStep::commit()
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
 	state.m_work = work;
 	if (state.m_solvedExactly)
-		m_model.findOwed(isFirstStep);
+		m_model.findOwed(share, isNew);
 	revert();
 	m_model.moveReference(unloaded);
 	if (!m_usesFibres && m_model.usesFibres())
@@ -686,7 +693,7 @@ int JointStep::commit()
 		return NOTHING;
 	const int outcome = state.m_yielded ? NOTHING : YIELDED;
 	state.m_yielded = true;
-	state.m_broken = share < 1 || m_model.damage() >= 1;
+	state.m_broken = borne < 1 || m_model.damage() >= 1;
 	return state.m_broken ? outcome | BROKE : outcome;
 }
 }  // namespace btElasticPlastic

@@ -119,7 +119,9 @@ public:
 	}
 
 	/// Ends the step: return mapping, plastic increments, energies, damage. Does nothing if the joint was not in the step.
-	int commit();
+	/// \param share  of the world's step: 1, or less of an inner one
+	/// \param isNew  the joint has its first step of the world
+	int commit(double share, bool isNew);
 
 	// ---- for EnergyLedger, after commit()
 

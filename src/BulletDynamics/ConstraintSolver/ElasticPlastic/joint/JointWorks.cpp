@@ -308,13 +308,13 @@ void JointWorks::finishAlone(const double* impulses, const signed char* bounds)
 		constraint.setEnabled(false);
 }
 
-void JointWorks::commitInside()
+void JointWorks::commitInside(double share)
 {
 	// The registry ends no step of a broken joint that stays in the world until its bodies have parted.
 	if (m_separation.isUnderWay())
 		return;
 	m_isCommittedInside = true;
-	m_outcome |= static_cast<unsigned char>(m_step.commit());
+	m_outcome |= static_cast<unsigned char>(m_step.commit(share, m_isNew));
 }
 
 void JointWorks::rewind(const btElasticPlasticState& state)
@@ -330,6 +330,7 @@ bool JointWorks::beginInside()
 {
 	const bool isAwaited = m_isCommittedInside;
 	m_isCommittedInside = false;
+	m_isNew = m_model.m_state.m_lastStep == 0;
 	if (isAwaited && m_entry.m_registry)
 		m_entry.m_registry->forgetMotions();
 	return m_entry.m_registry && !isAwaited && m_step.getNumRows() == 0;
@@ -356,7 +357,7 @@ int JointWorks::commit()
 	m_isCommittedInside = false;
 	if (isDone)
 		return inside;
-	return inside | m_step.commit();
+	return inside | m_step.commit(1, m_model.m_state.m_lastStep == 0);
 }
 
 bool JointWorks::mayHaveSupport() const { return m_model.m_dofs != 0 && LoadWatch::mayHaveSupport(m_model.m_state); }

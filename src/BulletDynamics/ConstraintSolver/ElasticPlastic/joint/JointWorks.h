@@ -32,6 +32,7 @@ struct InnerRhythm
 {
 	unsigned char m_level = 0;  ///< 1 << m_level inner steps
 	unsigned char m_calm = 0;   ///< successive steps that have left little open
+	unsigned char m_spare = 0;  ///< by so many levels less they would all have left less than half of the error allowed
 };
 
 /// The implementation of btElasticPlasticJoint, together in memory: the model, its step, and their connection to Bullet and
@@ -92,7 +93,8 @@ public:
 	void finishAlone(const double* impulses, const signed char* bounds);
 
 	/// Ends an inner step within the solver. The registry gets what has come of all of them by commit().
-	void commitInside();
+	/// \param share  of the world's step
+	void commitInside(double share);
 
 	/// Forgets the step under way, inner steps included. \param state  of the joint when the step began
 	void rewind(const btElasticPlasticState& state);
@@ -223,6 +225,7 @@ private:
 	bool m_isOutOfIslands = false;
 	bool m_hasBeenInWorld = false;
 	bool m_isCommittedInside = false;  ///< whether the solver has ended the step itself
+	bool m_isNew = false;              ///< whether the step that has begun inside is the joint's first
 	unsigned char m_outcome = 0;       ///< of its inner steps, JointStep::Outcome
 	StockFeedback m_feedback;
 };

@@ -65,11 +65,15 @@ void OpenShare::addRow(const btElasticPlasticCapacity& capacity, const Row& row,
 				: 1 / (1 / stiffness - coupling * coupling * double(capacity.m_stiffness[capacity.coupledWith(dof)]));
 		const double reached =
 			fabs(double(row.m_force)) + own * ahead * (fabs(double(row.m_after)) + change * ahead / (2 * length));
-		if (row.m_path == 0 && reached < yield / 2)
+		const bool isNear = reached >= yield / 2;
+		if (row.m_path == 0 && !isNear)
 			return;
-		m_energy += 0.5 * yield * yield / stiffness;
+		m_energy += 0.5 * yield * yield / stiffness + yield * fabs(double(row.m_plastic));
+		if (m_canGoBack && !isNear)
+			return;
 	}
-	m_energy += yield * fabs(double(row.m_plastic));
+	else
+		m_energy += yield * fabs(double(row.m_plastic));
 	m_openWork += yield * length * change;
 	const double rounding = 4 * double(SIMD_EPSILON) * (dof < 3 ? place : 1.);
 	m_roundedWork += yield * btMin(length * change, rounding);

@@ -24,10 +24,12 @@ namespace btElasticPlastic
 /// fro, so that each swing counts by itself.
 ///
 /// Only those degrees of freedom count that have flowed, or whose force may reach half of the yield value within a step, by its
-/// rate and the change of its rate.
+/// rate and the change of its rate; where a step that turns out to be too long can be taken again, only the latter.
 class OpenShare
 {
 public:
+	explicit OpenShare(bool canGoBack = false) : m_canGoBack(canGoBack) {}
+
 	/// What a row has done in a step.
 	struct Row
 	{
@@ -59,6 +61,7 @@ public:
 private:
 	double getEnergy() const;
 
+	const bool m_canGoBack;
 	double m_openWork = 0;
 	double m_roundedWork = 0;  ///< the part of it that may be the rounding of positions
 	double m_energy = 0, m_mass = 0, m_momentum[3] = {};

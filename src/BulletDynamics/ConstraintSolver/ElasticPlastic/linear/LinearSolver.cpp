@@ -66,14 +66,12 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 			m_plan->m_islandId = ++m_lastIslandId;
 		++m_statistics.m_analyses;
 	}
-	// The old factor of an island that has slept is not used: whether its plan is still there depends on other islands.
-	m_factorState = m_plan->m_lastUse + 1 >= m_step && isWorthKeeping(m_plan->m_factor, numSolutions) ? OLD : NONE;
-	m_plan->m_lastUse = m_step;
-	if (islandId < 0)
-	{
-		m_factorState = NONE;
+	// What is kept of an island that has slept is not used: whether its plan is still there depends on other islands.
+	const bool isFresh = islandId < 0 || m_plan->m_lastUse + 1 < m_step;
+	m_factorState = !isFresh && isWorthKeeping(m_plan->m_factor, numSolutions) ? OLD : NONE;
+	if (isFresh)
 		m_plan->m_patience = 0;
-	}
+	m_plan->m_lastUse = m_step;
 }
 
 void LinearSolver::setSettings(const btElasticPlasticSolverSettings& settings)

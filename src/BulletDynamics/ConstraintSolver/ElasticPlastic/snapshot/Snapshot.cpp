@@ -196,6 +196,7 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 	image.m_nextRequest = joint.getNextRequest();
 	image.m_innerLevel = joint.m_rhythm.m_level;
 	image.m_innerCalm = joint.m_rhythm.m_calm;
+	image.m_innerSpare = joint.m_rhythm.m_spare;
 	image.m_isSeparating = joint.m_separation.isUnderWay();
 	image.m_overlap = joint.m_separation.getOverlap();
 	return image;
@@ -560,7 +561,7 @@ void Snapshot::writeRegistry(const WorldImage& image)
 			joint.m_step.setLastBound(dof, from.m_lastBounds[dof]);
 		joint.m_step.setLastFibreBounds(from.m_lastFibreBounds);
 		joint.resume(from.m_numUncommitted, from.m_nextRequest);
-		joint.m_rhythm = {from.m_innerLevel, from.m_innerCalm};
+		joint.m_rhythm = {from.m_innerLevel, from.m_innerCalm, from.m_innerSpare};
 		// Which may be told from the bodies.
 		if (hasBodies(joint))
 			joint.setFault(joint.m_model.findFault());

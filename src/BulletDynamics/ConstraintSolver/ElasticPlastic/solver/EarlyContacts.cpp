@@ -25,8 +25,9 @@ namespace
 const btScalar LEAST_WAY = btScalar(0.005);
 /// How far bodies are moved beyond where they meet, so that detectors that know penetration only find all of a face's points [m].
 const btScalar INTO = btScalar(0.003);
-/// The companion id of a body with an elastic-plastic joint, while contacts are found. Bullet does not use it between two solutions.
-const int JOINED = -2;
+/// The companion id of a body with an elastic-plastic joint, while contacts are found. Bullet does not use it between two solutions, but
+/// that what is static has -2, and -1 is what has none.
+const int JOINED = -3;
 
 /// Of one of the two bodies, in the coming step.
 struct Way
@@ -175,13 +176,18 @@ void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& disp
 	}
 	for (const Way& way : ways)
 		way.goBack();
+	bool isAhead = true;
 	for (int i = 0; i < manifold.getNumContacts(); ++i)
 	{
 		btManifoldPoint& point = manifold.getContactPoint(i);
 		point.m_positionWorldOnA = ways[0].m_now(point.m_localPointA);
 		point.m_positionWorldOnB = ways[1].m_now(point.m_localPointB);
 		point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
+		isAhead &= point.m_distance1 >= 0;
 	}
+	// Bodies that do not touch yet, but lie in each other along the normal, do not come together that way: an edge passes by a face.
+	if (!isAhead)
+		manifold.clearManifold();
 }
 }  // namespace
 

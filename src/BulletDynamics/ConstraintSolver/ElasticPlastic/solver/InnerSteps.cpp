@@ -18,9 +18,13 @@ namespace
 const int BOUNCE_LEVEL = 3;
 /// The number of successive steps that have to leave little open before inner steps become half as many.
 const int CALM_INNER_STEPS = 6;
+/// After so many they do whatever the moment.
+const int MOST_CALM_INNER_STEPS = 24;
+/// Levels that may become less at once.
+const int MOST_SPARE = 15;
 /// Below this share of the error allowed a step has left little open: it falls as the square of the step.
 const double CALM_INNER_SHARE = 1. / 8;
-/// Below this share of the error a step leaves next to nothing open, and the next one has half as many inner steps at once.
+/// Below this share of the error a step leaves next to nothing open, and the next one may have fewer inner steps at once.
 const double NO_INNER_SHARE = 1. / 1000;
 /// The least work of a solution by joint, in the unit of btElasticPlasticStatistics::m_work: what no island of so many joints can do
 /// twice is not tried.
@@ -32,6 +36,21 @@ int levelOf(int steps)
 	while (2 << level <= steps)
 		++level;
 	return level;
+}
+
+/// What the joints remember: islands may have joined since.
+InnerRhythm rhythmOf(const SolverGroup& island)
+{
+	InnerRhythm rhythm = {0, 255, 255};
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+		{
+			const InnerRhythm& joint = island.m_joints[i]->m_rhythm;
+			btSetMax(rhythm.m_level, joint.m_level);
+			btSetMin(rhythm.m_calm, joint.m_calm);
+			btSetMin(rhythm.m_spare, joint.m_spare);
+		}
+	return rhythm;
 }
 
 /// Begins a step that may have inner ones. \return the joints' action, null if they do not have one in common that ends their steps
@@ -50,13 +69,13 @@ JointRegistry* beginJoints(const SolverGroup& island)
 		registry = registry ? registry : joint->m_entry.m_registry;
 		isOne &= isEnded && joint->m_entry.m_registry == registry && !joint->m_model.m_isPaper;
 	}
-	return isOne ? registry : nullptr;
+	return isOne && registry && !registry->isStepControlled() ? registry : nullptr;
 }
 
 /// What the last solution has left open, before joints are committed.
 double measure(const SolverGroup& island, double length, double ahead)
 {
-	OpenShare open;
+	OpenShare open(true);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
 		const JointWorks* const works = island.m_joints[i];
@@ -127,28 +146,44 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 {
 	const SolverGroup& island = task.m_island;
 	m_state.begin(island, task.m_info.m_timeStep, registry);
-	int level = 0;
-	for (int i = 0; i < island.m_numConstraints; ++i)
-		if (island.m_joints[i])
-			btSetMax(level, int(island.m_joints[i]->m_rhythm.m_level));
+	int level = beginLevel(task);
 	if (m_state.hasBounceAhead(task.m_info.m_restitutionVelocityThreshold))
 		btSetMax(level, BOUNCE_LEVEL);
 	btSetMin(level, task.m_maxLevel);
 	for (;;)
 	{
-		const Attempt attempt = level == 0 ? solveWhole(task) : solveInner(task, level);
+		// The first whole step after inner ones is the only one of its kind: velocities come to belong to another time.
+		const bool isWhole = level == 0 && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
+		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
 		if (attempt.m_next == level)
 		{
 			remember(island, level, attempt.m_open, task.m_settings.m_innerError);
 			return;
 		}
-		if (level == 0)
+		if (isWhole)
 			for (int i = 0; i < island.m_numConstraints; ++i)
 				if (island.m_joints[i])
 					island.m_joints[i]->m_step.revert();
 		m_state.restore();
 		level = attempt.m_next;
 	}
+}
+
+/// That of the last step, or less if that was calm.
+int InnerSteps::beginLevel(const Task& task)
+{
+	const SolverGroup& island = task.m_island;
+	const InnerRhythm rhythm = rhythmOf(island);
+	if (rhythm.m_level == 0 || rhythm.m_calm < CALM_INNER_STEPS)
+		return rhythm.m_level;
+	const int level = btMax(rhythm.m_level - btMax(int(rhythm.m_spare), 1), 0);
+	const btScalar longer = task.m_info.m_timeStep / btScalar(1 << level);
+	if (rhythm.m_calm < MOST_CALM_INNER_STEPS && !m_state.isJoinedShiftSmall(island, longer))
+		return rhythm.m_level;
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+			island.m_joints[i]->m_rhythm.m_calm = 0;
+	return level;
 }
 
 InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
@@ -181,8 +216,8 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		m_state.carry((k + 1) * h, h, leastSpeed);
 		++task.m_numSolutions;
 		++task.m_statistics.m_innerSteps;
-		const long long maxWork = task.m_settings.m_maxWork;
-		task.m_solution.solveStep(info, share, maxWork > 0 ? btMax((maxWork - task.getWork()) / (steps - k), 1ll) : 0);
+		const bool isBounded = task.m_settings.m_maxWork > 0;
+		task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / (steps - k), 1ll) : 0);
 		btSetMax(attempt.m_open, measure(island, h, dt));
 		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
 		attempt.m_next =
@@ -192,7 +227,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		m_state.move(h);
 		for (int i = 0; i < island.m_numConstraints; ++i)
 			if (island.m_joints[i])
-				island.m_joints[i]->commitInside();
+				island.m_joints[i]->commitInside(1. / steps);
 		if (k + 1 == steps)
 		{
 			m_state.shiftFreeVelocities((h - dt) / 2);
@@ -208,7 +243,7 @@ int InnerSteps::mostLevel(const Task& task, int level) const
 {
 	long long most = task.m_settings.m_maxInnerWork;
 	if (task.m_settings.m_maxWork > 0)
-		most = btMin(most, task.m_settings.m_maxWork - task.getWork());
+		most = btMin(most, task.getWorkLeft());
 	while (level > 0 && task.getMeanWork() << level > most)
 		--level;
 	return level;
@@ -233,18 +268,14 @@ int InnerSteps::refine(Task& task, int level, double share) const
 /// An oscillation has moments at which a step leaves little open.
 void InnerSteps::remember(const SolverGroup& island, int level, double share, double error) const
 {
-	int calm = 255;
-	for (int i = 0; i < island.m_numConstraints; ++i)
-		if (island.m_joints[i])
-			btSetMin(calm, int(island.m_joints[i]->m_rhythm.m_calm));
-	calm = share > error * CALM_INNER_SHARE ? 0 : calm + 1;
-	if (level > 0 && (calm >= CALM_INNER_STEPS || share < error * NO_INNER_SHARE))
-	{
-		--level;
-		calm = 0;
-	}
-	const InnerRhythm rhythm = {static_cast<unsigned char>(level),
-								static_cast<unsigned char>(btMin(calm, CALM_INNER_STEPS))};
+	InnerRhythm rhythm = rhythmOf(island);
+	const bool isCalm = share <= error * CALM_INNER_SHARE, isStill = share < error * NO_INNER_SHARE;
+	const int spare = share > 0 ? int(floor(0.5 * log2(btMax(error / (8 * share), 1.)))) : MOST_SPARE;
+	const int calm = isCalm ? btMin(rhythm.m_calm + 1, MOST_CALM_INNER_STEPS) : 0;
+	const bool isNew = calm <= 1 || (isStill && calm < CALM_INNER_STEPS);
+	rhythm.m_level = static_cast<unsigned char>(level);
+	rhythm.m_spare = static_cast<unsigned char>(btMin(spare, isNew ? MOST_SPARE : int(rhythm.m_spare)));
+	rhythm.m_calm = static_cast<unsigned char>(isStill ? btMax(calm, CALM_INNER_STEPS) : calm);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
 			island.m_joints[i]->m_rhythm = rhythm;

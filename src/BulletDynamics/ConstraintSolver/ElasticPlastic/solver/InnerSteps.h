@@ -21,8 +21,8 @@ namespace btElasticPlastic
 /// contact points, joints' states, forces and penetration are brought along from one to the next. Then the bodies are put back with
 /// their mean velocity for Bullet to move, and the joints' action puts them where the inner steps have ended (BodyMotion).
 ///
-/// An island begins with as many inner steps as it had in the last step, and halves them when little has been left open for a while:
-/// each change of the step takes some energy out of an oscillation. One that needs none is solved as if there were none, to the bit.
+/// An island begins with as many inner steps as it had in the last step, and halves them when little has been left open for a while,
+/// at a moment when velocities hardly depend on the step: else each change would take some energy out of an oscillation. One that needs none is solved as if there were none, to the bit.
 class InnerSteps
 {
 public:
@@ -63,6 +63,8 @@ private:
 		int m_maxLevel;
 
 		long long getWork() const { return m_statistics.m_work - m_workBefore; }
+		/// Of the island's bound; an eighth of it is for what solutions take beyond theirs: each does at least one factorisation.
+		long long getWorkLeft() const { return m_settings.m_maxWork - m_settings.m_maxWork / 8 - getWork(); }
 		long long getMeanWork() const { return getWork() / m_numSolutions; }
 	};
 
@@ -79,6 +81,7 @@ private:
 	int mostLevel(const Task& task, int level) const;
 	bool isTooMuch(const Task& task, int level) const;
 	int refine(Task& task, int level, double share) const;
+	int beginLevel(const Task& task);
 	void remember(const SolverGroup& island, int level, double share, double error) const;
 
 	IslandState m_state;

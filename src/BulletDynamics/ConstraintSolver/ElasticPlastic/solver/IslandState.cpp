@@ -15,6 +15,9 @@ namespace btElasticPlastic
 {
 namespace
 {
+/// Velocities that change by less than this share have changed little.
+const double SMALL_SHIFT = 0.05;
+
 /// What turns one orientation into another, by the shorter way, over time: a mean angular velocity.
 btVector3 meanSpin(const btTransform& from, const btTransform& to, btScalar dt)
 {
@@ -208,10 +211,11 @@ void IslandState::shiftFreeVelocities(btScalar later)
 	}
 }
 
-void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h)
+/// \return whether there is any
+bool IslandState::findJoinedShift(const SolverGroup& island, btScalar h)
 {
 	if (!JoinedShift::isWanted(island, h))
-		return;
+		return false;
 	std::vector<btRigidBody*> bodies;
 	for (int i = 0; i < m_bodies.size(); ++i)
 		bodies.push_back(m_bodies[i].m_body);
@@ -225,8 +229,33 @@ void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h)
 			(m_points[i].m_bodies[0] < 0 || m_points[i].m_bodies[1] < 0) && m_points[i].m_point->m_appliedImpulse > 0;
 	// What nothing holds keeps its momentum.
 	if (!isHeld && m_joinedShift.isAnyLeftOut())
+		return false;
+	m_joinedShift.find(isHeld);
+	return true;
+}
+
+bool IslandState::isJoinedShiftSmall(const SolverGroup& island, btScalar h)
+{
+	if (!findJoinedShift(island, h))
+		return true;
+	double energy = 0;
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		const btRigidBody& body = *m_bodies[i].m_body;
+		energy += kineticEnergy(body, body.getWorldTransform().getBasis(), body.getLinearVelocity(),
+								body.getAngularVelocity());
+	}
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+			energy += island.m_joints[i]->m_model.springEnergy();
+	return m_joinedShift.getEnergy() <= SMALL_SHIFT * SMALL_SHIFT * energy;
+}
+
+void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h)
+{
+	if (!findJoinedShift(island, h))
 		return;
-	m_joinedShift.apply(isHeld);
+	m_joinedShift.apply();
 	for (int i = 0; i < m_bodies.size(); ++i)
 		m_bodies[i].m_inner.m_shift += m_joinedShift.getLoadWork(i);
 }

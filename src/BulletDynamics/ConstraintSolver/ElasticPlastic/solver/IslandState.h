@@ -39,9 +39,12 @@ public:
 	/// \param later  [s]
 	void shiftFreeVelocities(btScalar later);
 
-	/// The same of those that joints hold and nothing touches, where inner steps of h [s] are shorter than the last step: see JoinedShift.
+	/// The same of those that joints hold and nothing touches, where inner steps of h [s] are not as long as the last one: see JoinedShift.
 	/// To be called after saveJoints().
 	void shiftJoinedVelocities(const SolverGroup& island, btScalar h);
+
+	/// Whether that would be a small part of the velocities there are, or of those for which joints hold the energy.
+	bool isJoinedShiftSmall(const SolverGroup& island, btScalar h);
 
 	/// Whether something that is still apart at the beginning is to meet within the step at a speed at which it bounces.
 	bool hasBounceAhead(btScalar leastSpeed) const;
@@ -99,6 +102,7 @@ private:
 	void addKinematic(btRigidBody& body);
 	void bookWork(const Point& point);
 	void findTouched();
+	bool findJoinedShift(const SolverGroup& island, btScalar h);
 	bool isAnyTouched() const;
 	bool isFalling() const { return !m_isHeld && !isAnyTouched(); }
 	static btScalar approachOf(const Point& point);

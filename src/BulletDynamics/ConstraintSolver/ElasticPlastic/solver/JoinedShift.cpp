@@ -10,7 +10,12 @@ namespace btElasticPlastic
 {
 namespace
 {
-bool wasLonger(const JointWorks& joint, btScalar h) { return joint.m_model.m_state.m_lastStep > btScalar(1.01) * h; }
+/// Whether the joint has had a step, and one of another length.
+bool isChange(const JointWorks& joint, btScalar h)
+{
+	const btScalar last = joint.m_model.m_state.m_lastStep;
+	return last > 0 && btFabs(last - h) > btScalar(0.01) * btMin(last, h);
+}
 
 /// By component what two loads have in common.
 btVector3 lesserOf(const btVector3& a, const btVector3& b)
@@ -26,7 +31,7 @@ btVector3 lesserOf(const btVector3& a, const btVector3& b)
 bool JoinedShift::isWanted(const SolverGroup& island, btScalar h)
 {
 	for (int i = 0; i < island.m_numConstraints; ++i)
-		if (island.m_joints[i] && wasLonger(*island.m_joints[i], h))
+		if (island.m_joints[i] && isChange(*island.m_joints[i], h))
 			return true;
 	return false;
 }
@@ -55,7 +60,7 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 			ends[side] = index >= 0 && size_t(index) < bodies.size() && bodies[size_t(index)] == &body ? index : -1;
 		}
 		JointWorks* const works = island.m_joints[i];
-		if (works && wasLonger(*works, h) && !works->hasBaseRows())
+		if (works && isChange(*works, h) && !works->hasBaseRows())
 			addJoint(*works, ends, h);
 		else
 			for (const int end : ends)
@@ -69,7 +74,7 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 {
 	const btElasticPlasticState& state = works.m_model.m_state;
-	const btScalar time = (state.m_lastStep - h) / 2, before = (state.m_lastStep + h) / 2;
+	const btScalar time = (state.m_lastStep - h) / 2, before = (state.m_lastStep + h) / 4;
 	Joint joint = {&works, {bodies[0], bodies[1]}, Kinematics(), btVector3(0, 0, 0), btVector3(0, 0, 0)};
 	works.m_model.measure(joint.m_kinematics);
 	for (int k = 0; k < 3; ++k)
@@ -103,7 +108,7 @@ bool JoinedShift::isAnyLeftOut() const
 	return false;
 }
 
-void JoinedShift::apply(bool withLoads)
+void JoinedShift::find(bool withLoads)
 {
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
@@ -118,6 +123,23 @@ void JoinedShift::apply(bool withLoads)
 		body.m_linear = (body.m_impulse + body.m_force) * b.getInvMass() * b.getLinearFactor();
 		body.m_angular = b.getInvInertiaTensorWorld() * (body.m_twist + body.m_torque) * b.getAngularFactor();
 	}
+}
+
+double JoinedShift::getEnergy() const
+{
+	double twice = 0;
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		const Body& body = m_bodies[i];
+		if (!body.m_isLeftOut)
+			twice += double((body.m_impulse + body.m_force).dot(body.m_linear)) +
+					 double((body.m_twist + body.m_torque).dot(body.m_angular));
+	}
+	return twice / 2;
+}
+
+void JoinedShift::apply()
+{
 	const btScalar share = findShare();
 	if (share == 0)
 	{
@@ -143,7 +165,7 @@ void JoinedShift::apply(bool withLoads)
 btScalar JoinedShift::findShare() const
 {
 	// With a share s joints give s (first + s second).
-	double first = 0, second = 0;
+	double first = 0, second = 0, squares = 0;
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		const Body& body = m_bodies[i];
@@ -152,8 +174,11 @@ btScalar JoinedShift::findShare() const
 		first += double(body.m_impulse.dot(body.m_body->getLinearVelocity())) +
 				 double(body.m_twist.dot(body.m_body->getAngularVelocity()));
 		second += 0.5 * (double(body.m_impulse.dot(body.m_linear)) + double(body.m_twist.dot(body.m_angular)));
+		squares += double(body.m_body->getLinearVelocity().length2() + body.m_body->getAngularVelocity().length2());
 	}
-	if (!btElasticPlasticIsFinite(first + second))
+	for (int i = 0; i < m_joints.size(); ++i)
+		squares += double(m_joints[i].m_kinematics.m_rA.length2() + m_joints[i].m_kinematics.m_rB.length2());
+	if (!btElasticPlasticIsFinite(first + second + squares))
 		return 0;
 	if (first + second <= 0)
 		return 1;

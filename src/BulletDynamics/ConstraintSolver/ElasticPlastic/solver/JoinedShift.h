@@ -14,7 +14,7 @@ class btRigidBody;
 
 namespace btElasticPlastic
 {
-/// What the velocities of joined bodies get where steps become shorter.
+/// What the velocities of joined bodies get where steps become shorter, and give back where they become longer.
 ///
 /// A velocity belongs to a time half a step before that of the place. With a shorter step that time comes closer to the place's, and
 /// in between joints' forces and loads act on: a swing that yields would otherwise lose or gain up to half a step of its forces,
@@ -22,12 +22,11 @@ namespace btElasticPlastic
 /// last step and still are.
 ///
 /// Forces that the long step has not resolved would be a blow: all shares are less by one factor where else the joints would give
-/// energy to the bodies. Where steps become longer again nothing is taken back, for the same reason; there the first long
-/// step damps (Law.h).
+/// energy to the bodies.
 class JoinedShift
 {
 public:
-	/// Whether any joint's last step was longer than h [s].
+	/// Whether any joint's last step was not h [s].
 	static bool isWanted(const SolverGroup& island, btScalar h);
 
 	/// Looks the forces up. A body that is also held by what is no spring of ours is left out.
@@ -41,9 +40,15 @@ public:
 	/// Whether any does, so that the joints' impulses do not add up to zero.
 	bool isAnyLeftOut() const;
 
-	/// Gives the bodies their shares, and books what the joints have given as their work.
+	/// Finds what all bodies get, after the last leaveOut().
 	/// \param withLoads  otherwise what joints give alone: the bodies fall, and have got their weight's share
-	void apply(bool withLoads);
+	void find(bool withLoads);
+
+	/// The kinetic energy of what was found, alone [J].
+	double getEnergy() const;
+
+	/// Gives it to the bodies, or a share of it, and books what the joints have given as their work.
+	void apply();
 
 	/// What a body's loads have given to it [J].
 	double getLoadWork(int body) const;
@@ -53,7 +58,7 @@ private:
 	{
 		btRigidBody* m_body;
 		bool m_isLeftOut;
-		btScalar m_time;                        ///< between the two times [s]
+		btScalar m_time;                        ///< between the two times, below 0 where steps become longer [s]
 		btVector3 m_impulse, m_twist;           ///< of joints [N s], [N m s]
 		btVector3 m_force, m_torque;            ///< loads of the last step beside its weight [N], [N m]
 		btVector3 m_linear, m_angular;          ///< velocity that it gets [m/s], [rad/s]

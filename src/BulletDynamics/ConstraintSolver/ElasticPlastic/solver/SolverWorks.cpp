@@ -88,21 +88,30 @@ void SolverWorks::beginStep()
 		solver->beginStep(false);
 }
 
+/// The action of the first joint that has one.
+const JointRegistry* SolverWorks::findRegistry() const
+{
+	for (int i = 0; i < m_joints.size(); ++i)
+		if (m_joints[i] && m_joints[i]->m_entry.m_registry)
+			return m_joints[i]->m_entry.m_registry;
+	return nullptr;
+}
+
 /// A pool does not tell its solvers of steps, but the time of the joints' action does.
 void SolverWorks::beginStepInPool()
 {
-	for (int i = 0; i < m_joints.size(); ++i)
-	{
-		const JointRegistry* const registry = m_joints[i] ? m_joints[i]->m_entry.m_registry : nullptr;
-		if (!registry)
-			continue;
-		if (registry->getTime() == m_poolTime)
-			return;
-		m_poolTime = registry->getTime();
-		for (const auto& solver : m_solvers)
-			solver->beginStep(true);
+	const JointRegistry* const registry = findRegistry();
+	if (!registry || registry->getTime() == m_poolTime)
 		return;
-	}
+	m_poolTime = registry->getTime();
+	for (const auto& solver : m_solvers)
+		solver->beginStep(true);
+}
+
+bool SolverWorks::isStepControlled() const
+{
+	const JointRegistry* const registry = findRegistry();
+	return registry && registry->isStepControlled();
 }
 
 bool SolverWorks::findJoints(const SolverGroup& group)
@@ -129,15 +138,15 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
 		return SolverGroup();
 	}
+	SolverGroup group = given;
 	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::mayBeTaken(given, m_settings) &&
-		findJoints(given))
+		findJoints(given) && !isStepControlled())
 	{
-		SolverGroup group = given;
 		group.m_joints = &m_joints[0];
 		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(m_settings), *dispatcher);
 	}
-	if (!split(given))
-		return given;
+	if (!split(group))
+		return group;
 	solveIslands(info, debugDrawer, dispatcher);
 	return getOthers();
 }

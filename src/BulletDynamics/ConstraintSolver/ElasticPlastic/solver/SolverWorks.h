@@ -52,7 +52,9 @@ private:
 
 	/// \return whether there is any elastic-plastic joint
 	bool findJoints(const SolverGroup& group);
+	const JointRegistry* findRegistry() const;
 	void beginStepInPool();
+	bool isStepControlled() const;
 	void setSolverSettings();
 	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
 
