@@ -28,6 +28,7 @@ struct SceneDescription
 		double step = 1. / 60;
 		int substeps = 1;
 		double error = 0;  ///< allowed by the step control; 0: substeps as given
+		double innerError = btElasticPlasticSolverSettings().m_innerError;
 		Solver solver = Solver::Direct;
 		int iterations = 10;
 		JointKind joints = kinds::Ep2;

@@ -98,6 +98,7 @@ Simulation::Simulation(const SceneDescription& scene)
 		auto& solver = *static_cast<btElasticPlasticConstraintSolver*>(m_world->bullet().getConstraintSolver());
 		btElasticPlasticSolverSettings settings = solver.getSettings();
 		settings.m_contacts = w.contacts;
+		settings.m_innerError = w.innerError;
 		settings.m_numThreads = w.threads;
 		solver.setSettings(settings);
 	}
