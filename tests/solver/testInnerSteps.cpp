@@ -266,6 +266,27 @@ TEST(InnerSteps, ContactsAreFoundBeforeBodiesTouch)
 	EXPECT_LT(deepestContact(with.m_world, 75), 0.01);
 }
 
+TEST(InnerSteps, AJointThatIsSwitchedOffKeepsNoneGoing)
+{
+	World world(Solver::Direct, btVector3(0, 0, 0));
+	btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+	btRigidBody* const bodies[] = {world.body(0, cube, at(0), false), world.body(100, cube, at(1), false),
+								   world.body(100, cube, at(2), false)};
+	btElasticPlasticCapacity capacity = evenCapacity(1e7, 2e4);
+	capacity.m_damping = btScalar(0.1);
+	world.joint(*bodies[0], *bodies[1], at(0.5), capacity);
+	btElasticPlasticJoint* const last = world.joint(*bodies[1], *bodies[2], at(1.5), capacity);
+	bodies[2]->setLinearVelocity(btVector3(3, 0, 0));
+	run(world, 2);
+	EXPECT_GT(statisticsOf(world).m_innerSteps, 0);
+	last->getConstraint().setEnabled(false);
+	run(world, 300);
+	solverOf(world).resetStatistics();
+	run(world, 10);
+	EXPECT_EQ(0, statisticsOf(world).m_innerSteps);
+	EXPECT_EQ(10, statisticsOf(world).m_islands);
+}
+
 TEST(InnerSteps, AnEdgeThatPassesByAFaceIsNoContactAhead)
 {
 	// Two joined boxes fall past a post that they overlap by 2 mm to the side: where they have met by more than that, the normal points to the side.

@@ -10,11 +10,13 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Whether the joint has had a step, and one of another length.
+/// Whether a joint that has part in the coming step had one before, of another length.
 bool isChange(const JointWorks& joint, btScalar h)
 {
-	const btScalar last = joint.m_model.m_state.m_lastStep;
-	return last > 0 && btFabs(last - h) > btScalar(0.01) * btMin(last, h);
+	const JointModel& model = joint.m_model;
+	const btScalar last = model.m_state.m_lastStep;
+	return last > 0 && btFabs(last - h) > btScalar(0.01) * btMin(last, h) && !model.m_state.m_broken &&
+		   !model.m_fault && model.m_constraint.isEnabled();
 }
 
 /// By component what two loads have in common.
