@@ -129,24 +129,19 @@ bool SolverWorks::findJoints(const SolverGroup& group)
 SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
 							   btDispatcher* dispatcher)
 {
+	if (!findJoints(given))
+		return given;
+	SolverGroup group = given;
+	group.m_joints = &m_joints[0];
 	if (m_settings.m_form == BT_EP_ITERATIVE)
 	{
-		if (!findJoints(given))
-			return given;
-		SolverGroup group = given;
-		group.m_joints = &m_joints[0];
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
 		return SolverGroup();
 	}
-	SolverGroup group = given;
-	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::mayBeTaken(given, m_settings) &&
-		findJoints(given) && !isStepControlled())
-	{
-		group.m_joints = &m_joints[0];
+	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::mayBeTaken(group, m_settings) &&
+		!isStepControlled())
 		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(m_settings), *dispatcher);
-	}
-	if (!split(group))
-		return group;
+	splitFound(group);
 	solveIslands(info, debugDrawer, dispatcher);
 	return getOthers();
 }
@@ -155,12 +150,18 @@ bool SolverWorks::split(const SolverGroup& given)
 {
 	if (!findJoints(given))
 		return false;
-	if (m_isInPool)
-		beginStepInPool();
 	SolverGroup group = given;
 	group.m_joints = &m_joints[0];
-	m_islands.split(group);
+	splitFound(group);
 	return true;
+}
+
+/// A group of which the joints are known.
+void SolverWorks::splitFound(const SolverGroup& group)
+{
+	if (m_isInPool)
+		beginStepInPool();
+	m_islands.split(group);
 }
 
 void SolverWorks::solveIslands(const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher)

@@ -55,6 +55,7 @@ private:
 	const JointRegistry* findRegistry() const;
 	void beginStepInPool();
 	bool isStepControlled() const;
+	void splitFound(const SolverGroup& group);
 	void setSolverSettings();
 	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
 
