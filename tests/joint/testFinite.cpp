@@ -8,13 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/JointWorks.h"
+#include "support/NotFinite.h"
 #include "support/Pair.h"
 
 namespace
 {
 using namespace ep;
 
-const btScalar NOT_A_NUMBER = std::numeric_limits<btScalar>::quiet_NaN();
+const btScalar NOT_A_NUMBER = notANumber();
 
 btElasticPlasticCapacity fibres()
 {

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include "support/DirectSolver.h"
+#include "support/NotFinite.h"
 #include "support/Pair.h"
 #include "support/Precision.h"
 
@@ -22,8 +23,7 @@ namespace
 {
 using namespace ep;
 
-const btScalar NOT_A_NUMBER = std::numeric_limits<btScalar>::quiet_NaN(),
-			   INFINITE = std::numeric_limits<btScalar>::infinity();
+const btScalar NOT_A_NUMBER = notANumber(), INFINITE = infinite();
 
 struct Refusals : btElasticPlasticListener
 {
@@ -111,17 +111,18 @@ TEST(HardInput, Stiffness)
 
 TEST(HardInput, YieldAndDuctility)
 {
-	for (btScalar value : {NOT_A_NUMBER, INFINITE, btScalar(-1)})
+	const struct
+	{
+		btScalar m_value;
+		const char* m_text;
+	} bads[] = {{NOT_A_NUMBER, "nan"}, {INFINITE, "inf"}, {-1, "-1"}};
+	for (const auto& bad : bads)
 	{
 		btElasticPlasticCapacity capacity = good();
-		capacity.m_yield[BT_EP_TORSION] = value;
-		expectNames(Scene().refusalOf(capacity), "yield moment",
-					value < 0   ? "-1"
-					: value > 0 ? "inf"
-								: "nan",
-					"finite and not negative");
+		capacity.m_yield[BT_EP_TORSION] = bad.m_value;
+		expectNames(Scene().refusalOf(capacity), "yield moment", bad.m_text, "finite and not negative");
 		capacity = good();
-		capacity.m_ductility[BT_EP_AXIAL] = value;
+		capacity.m_ductility[BT_EP_AXIAL] = bad.m_value;
 		expectNames(Scene().refusalOf(capacity), "ductility", "is", "finite and greater than 0");
 	}
 	btElasticPlasticCapacity capacity = good();

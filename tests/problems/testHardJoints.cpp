@@ -5,11 +5,11 @@
 
 #include <math.h>
 
-#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "support/NotFinite.h"
 #include "support/Pair.h"
 #include "support/Precision.h"
 #include "world/World.h"
@@ -152,7 +152,7 @@ TEST(HardJoints, NanStaysWhereItIs)
 		PLACE,
 		TURN
 	};
-	const btScalar nan = std::numeric_limits<btScalar>::quiet_NaN();
+	const btScalar nan = notANumber();
 	for (Solver solver : {Solver::Stock, Solver::Iterative, Solver::Direct})
 		for (Where where : {VELOCITY, FORCE, PLACE, TURN})
 		{

@@ -265,6 +265,9 @@ TEST(Hardening, TellsWhatIsWrong)
 	bad = good;
 	bad.m_curvePoints[1].m_factor = btScalar(NAN);
 	EXPECT_STREQ("factor of a fibre's strength", bad.fault().m_quantity);
+	bad = good;
+	EXPECT_TRUE(good.isSameAs(bad));
+	bad.m_curvePoints[1].m_factor *= 2;
 	EXPECT_FALSE(good.isSameAs(bad));
 }
 }  // namespace

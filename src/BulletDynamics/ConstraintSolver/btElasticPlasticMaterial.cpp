@@ -8,7 +8,7 @@ namespace
 btElasticPlasticFault faultOfHardening(const btElasticPlasticMaterial& material)
 {
 	const btScalar share = material.m_kinematicShare;
-	if (!(share >= 0 && share <= 1))
+	if (!btElasticPlasticIsFinite(share) || share < 0 || share > 1)
 		return btElasticPlasticFault("kinematic share of hardening", share, "0 to 1");
 	double strain = 0, stress = material.m_yieldStress, slope = 0;
 	for (int i = 0; i < material.m_hardening.size(); ++i)

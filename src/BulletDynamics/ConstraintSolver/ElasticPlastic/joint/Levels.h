@@ -16,7 +16,8 @@ public:
 	/// \return whether the quantity is one and the level in its range
 	bool set(btElasticPlasticQuantity quantity, btScalar level)
 	{
-		if (!isQuantity(quantity) || !(level > 0) || !(level <= btElasticPlasticCapacity::unlimited()))
+		if (!isQuantity(quantity) || !btElasticPlasticIsFinite(level) || level <= 0 ||
+			level > btElasticPlasticCapacity::unlimited())
 			return false;
 		m_level[quantity] = level;
 		m_isAnySet = false;

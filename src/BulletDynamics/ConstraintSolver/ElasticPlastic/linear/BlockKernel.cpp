@@ -27,6 +27,12 @@
 #define BT_UNROLL_NOT
 #endif
 
+// Clang's -ffast-math adds in another order in each width, and on one machine gives other results than on the next.
+#if defined(__clang__) && defined(__x86_64__)
+#pragma float_control(push)
+#pragma float_control(precise, on)
+#endif
+
 namespace btElasticPlastic
 {
 namespace
@@ -140,3 +146,7 @@ const BlockKernel& BlockKernel::select(int maxWidth)
 	return Plain::Kernel;
 }
 }  // namespace btElasticPlastic
+
+#if defined(__clang__) && defined(__x86_64__)
+#pragma float_control(pop)
+#endif

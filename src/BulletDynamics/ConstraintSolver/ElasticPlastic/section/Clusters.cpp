@@ -10,6 +10,8 @@ namespace btElasticPlastic
 namespace
 {
 const int LEAST_PIECES = 1000, PIECES_OF_A_CLUSTER = 30, ROUNDS = 40;
+/// What is symmetric has ties. The first one is taken, and not what a compiler's rounding makes of them.
+const double TIE = 1e-9;
 
 double distance2(const Cluster& a, const Cluster& b)
 {
@@ -30,7 +32,7 @@ std::vector<Cluster> spread(const std::vector<Cluster>& pieces, int count)
 			const double away = pieces[k].m_area * distance2(pieces[k], from);
 			if (i < 2 || away < weight[k])
 				weight[k] = away;
-			if (weight[k] > weight[next])
+			if (weight[k] > weight[next] * (1 + TIE))
 				next = k;
 		}
 		from = pieces[next];
@@ -58,7 +60,7 @@ std::vector<Cluster> clustersOf(const Region& region, int count)
 		{
 			size_t nearest = 0;
 			for (size_t i = 1; i < clusters.size(); ++i)
-				if (distance2(piece, clusters[i]) < distance2(piece, clusters[nearest]))
+				if (distance2(piece, clusters[i]) < distance2(piece, clusters[nearest]) * (1 - TIE))
 					nearest = i;
 			sums[nearest].m_y += piece.m_area * piece.m_y;
 			sums[nearest].m_z += piece.m_area * piece.m_z;
