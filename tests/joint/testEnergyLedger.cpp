@@ -35,11 +35,14 @@ struct FreeStructure
 		const int n = 2 + int(uniform(0, 8));
 		for (int i = 0; i < n; ++i)
 		{
+			// One after another, for each compiler evaluates arguments in an order of its own.
+			const double z = uniform(-.3, .3), y = uniform(-.3, .3);
+			const btQuaternion turned = turn();
+			const double height = uniform(.1, 1), width = uniform(.1, 1), length = uniform(.1, 1),
+						 mass = spread(1, 100);
 			btRigidBody* body = m_world.body(
-				btScalar(spread(1, 100)),
-				m_world.box(btVector3(btScalar(uniform(.1, 1)), btScalar(uniform(.1, 1)), btScalar(uniform(.1, 1)))),
-				btTransform(turn(), btVector3(btScalar(i), btScalar(uniform(-.3, .3)), btScalar(uniform(-.3, .3)))),
-				false);
+				btScalar(mass), m_world.box(btVector3(btScalar(length), btScalar(width), btScalar(height))),
+				btTransform(turned, btVector3(btScalar(i), btScalar(y), btScalar(z))), false);
 			body->setLinearVelocity(vector(5));
 			body->setAngularVelocity(vector(5));
 		}
@@ -49,8 +52,8 @@ struct FreeStructure
 			btElasticPlasticCapacity capacity;
 			for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 			{
-				const double yield = spread(10, 1e6);
-				capacity.set(dof, btScalar(yield * spread(1, 1e5)), btScalar(yield), btScalar(spread(1e-3, 1)));
+				const double yield = spread(10, 1e6), ductility = spread(1e-3, 1), stiffness = yield * spread(1, 1e5);
+				capacity.set(dof, btScalar(stiffness), btScalar(yield), btScalar(ductility));
 			}
 			m_world.joint(a, b, btTransform(turn(), (a.getCenterOfMassPosition() + b.getCenterOfMassPosition()) / 2),
 						  capacity);

@@ -186,9 +186,11 @@ TEST(Damping, OfTheSchemeNeverGivesEnergy)
 		const int blocks = 1 + int(random() % 5);
 		for (int i = 0; i < blocks; ++i)
 		{
-			const double mass = spread(0.1, 10);
-			chain.add(mass, mass * 3600 * spread(1e-2, 1e4), spread(1, 1e3) * mass);
-			chain.throwBlock(size_t(i), spread(0.01, 1) * (random() % 2 ? 1 : -1));
+			// One after another, for each compiler evaluates arguments in an order of its own.
+			const double mass = spread(0.1, 10), yield = spread(1, 1e3) * mass,
+						 stiffness = mass * 3600 * spread(1e-2, 1e4), speed = spread(0.01, 1);
+			chain.add(mass, stiffness, yield);
+			chain.throwBlock(size_t(i), random() % 2 ? speed : -speed);
 		}
 		std::vector<std::array<double, 4>> applied(size_t(blocks), {0, 0, 0, 0});
 		const double start = chain.m_world.kineticEnergy();
