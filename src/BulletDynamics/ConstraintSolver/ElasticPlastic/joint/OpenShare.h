@@ -50,6 +50,10 @@ public:
 	/// \param place   the size of the joint's coordinates [m]
 	void addRow(const btElasticPlasticCapacity& capacity, const Row& row, double length, double ahead, double place);
 
+	/// Whether a row's force reaches a good part of its yield value within the step itself. Where none does, an oscillation that steps
+	/// of this length resolve stays clear of yield, however fast it is: it is only the look ahead that takes its rate for lasting.
+	bool isLoaded() const { return m_isLoaded; }
+
 	bool hasOpenWork() const { return m_openWork > 0; }
 
 	/// T
@@ -62,6 +66,7 @@ private:
 	double getEnergy() const;
 
 	const bool m_canGoBack;
+	bool m_isLoaded = false;
 	double m_openWork = 0;
 	double m_roundedWork = 0;  ///< the part of it that may be the rounding of positions
 	double m_energy = 0, m_mass = 0, m_momentum[3] = {};

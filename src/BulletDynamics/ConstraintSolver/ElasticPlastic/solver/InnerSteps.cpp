@@ -73,7 +73,7 @@ JointRegistry* beginJoints(const SolverGroup& island)
 }
 
 /// What the last solution has left open, before joints are committed.
-double measure(const SolverGroup& island, double length, double ahead)
+OpenShare measure(const SolverGroup& island, double length, double ahead)
 {
 	OpenShare open(true);
 	for (int i = 0; i < island.m_numConstraints; ++i)
@@ -96,7 +96,7 @@ double measure(const SolverGroup& island, double length, double ahead)
 		}
 	}
 	if (!open.hasOpenWork())
-		return 0;
+		return open;
 	for (int i = 0; i < island.m_numBodies; ++i)
 	{
 		const btRigidBody* const body = btRigidBody::upcast(island.m_bodies[i]);
@@ -110,7 +110,7 @@ double measure(const SolverGroup& island, double length, double ahead)
 				if (body->isStaticOrKinematicObject())
 					open.addSupport(*body, island.m_joints[i]->m_step.getKinematics().m_rA +
 											   island.m_constraints[i]->getRigidBodyA().getCenterOfMassPosition());
-	return open.getMendableShare();
+	return open;
 }
 }  // namespace
 
@@ -191,7 +191,7 @@ InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 	++task.m_numSolutions;
 	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
 	const double dt = task.m_info.m_timeStep;
-	const double open = measure(task.m_island, dt, dt);
+	const double open = measure(task.m_island, dt, dt).getMendableShare();
 	return {open, refine(task, 0, open)};
 }
 
@@ -211,6 +211,8 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	m_state.shiftJoinedVelocities(island, h);
 	m_impulses.scale(island, share);
 	Attempt attempt = {0, level};
+	double open = 0;
+	bool isLoaded = false;
 	for (int k = 0; k < steps; ++k)
 	{
 		m_state.carry((k + 1) * h, h, leastSpeed);
@@ -218,7 +220,11 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		++task.m_statistics.m_innerSteps;
 		const bool isBounded = task.m_settings.m_maxWork > 0;
 		task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / (steps - k), 1ll) : 0);
-		btSetMax(attempt.m_open, measure(island, h, dt));
+		const OpenShare left = measure(island, h, dt);
+		btSetMax(open, left.getMendableShare());
+		isLoaded = isLoaded || left.isLoaded();
+		// What stays clear of yield asks for no shorter steps. It is calm but not still: longer steps damp it.
+		attempt.m_open = isLoaded ? open : btMin(open, task.m_settings.m_innerError * CALM_INNER_SHARE);
 		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
 		attempt.m_next =
 			2 * k < steps && isTooMuch(task, level) ? mostLevel(task, level) : refine(task, level, attempt.m_open);
