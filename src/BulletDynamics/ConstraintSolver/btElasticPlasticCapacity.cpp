@@ -297,13 +297,20 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfCurve(const btElasticPlas
 	return btElasticPlasticFault();
 }
 
-btScalar btElasticPlasticCapacity::couplingCompliance(int dof) const
+btScalar btElasticPlasticCapacity::relativeCoupling(int dof) const
 {
 	const int other = coupledWith(dof);
 	const bool areSprings = other >= 0 && isElasticPlastic(dof) && !isRigidPlastic(dof) && isElasticPlastic(other) &&
 							!isRigidPlastic(other);
-	return areSprings ? m_coupling[planeOf(dof)] / (btSqrt(m_stiffness[dof]) * btSqrt(m_stiffness[other]))
-					  : btScalar(0);
+	return areSprings ? m_coupling[planeOf(dof)] : btScalar(0);
+}
+
+btScalar btElasticPlasticCapacity::couplingCompliance(int dof) const
+{
+	const int other = coupledWith(dof);
+	const btScalar relative = relativeCoupling(dof);
+	return other < 0 || relative == 0 ? btScalar(0)
+									  : relative / (btSqrt(m_stiffness[dof]) * btSqrt(m_stiffness[other]));
 }
 
 btScalar btElasticPlasticCapacity::elasticMiddle(int shear) const

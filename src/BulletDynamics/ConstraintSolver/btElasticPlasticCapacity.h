@@ -94,6 +94,9 @@ struct btElasticPlasticCapacity
 		return btElasticPlasticIsDof(dof) && dof % 3 != 0 ? BT_EP_SHEAR_Y + BT_EP_BENDING_Z - dof : -1;
 	}
 
+	/// How much a degree of freedom is coupled with its other one: the coupling compliance over the root of both compliances, from -1 to 1, 0: none.
+	btScalar relativeCoupling(int dof) const;
+
 	/// Deformation of a degree of freedom by the force of the one that it is coupled with [1/N], [rad/(N m)]; 0: none.
 	btScalar couplingCompliance(int dof) const;
 

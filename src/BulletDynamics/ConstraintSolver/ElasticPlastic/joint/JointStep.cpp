@@ -86,6 +86,7 @@ bool JointStep::evaluate(btScalar dt)
 	{
 		m_row[r].m_velocity0 = velocity[m_row[r].m_dof];
 		m_row[r].m_partner = -1;
+		m_row[r].m_coupling = 0;
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
@@ -108,6 +109,13 @@ void JointStep::withholdDrift()
 	const btElasticPlasticState& state = m_model.m_state;
 	const btScalar last = state.m_lastStep;
 	const bool isShorter = m_dt < last && state.m_solvedExactly && !m_model.m_isPaper;
+	if (!isShorter && state.m_withheldStep == 0)
+	{
+		m_withheldStep = 0;
+		for (btScalar& withheld : m_withheld)
+			withheld = 0;
+		return;
+	}
 	m_withheldStep = isShorter ? btMax(last, state.m_withheldStep) : state.m_withheldStep;
 	const btScalar met = m_withheldStep > m_dt ? m_dt / m_withheldStep * (m_dt / m_withheldStep) : btScalar(1);
 	const btScalar mostTurn = m_withheldStep * m_withheldStep * (m_spin0[0].length2() + m_spin0[1].length2()),
@@ -187,8 +195,8 @@ void JointStep::couple(JointRows& rows)
 	for (int r = 0; r < m_numRows; ++r)
 	{
 		const int dof = m_row[r].m_dof, other = btElasticPlasticCapacity::coupledWith(dof);
-		const btScalar coupling = m_model.m_capacity.couplingCompliance(dof);
-		if (dof >= 3 || coupling == 0)
+		const btScalar coupling = dof < 3 ? m_model.m_capacity.couplingCompliance(dof) : btScalar(0);
+		if (coupling == 0)
 			continue;
 		int partner = 0;
 		while (m_row[partner].m_dof != other)
@@ -205,7 +213,9 @@ void JointStep::couple(JointRows& rows)
 			Row& row = m_row[pair[i]];
 			row.m_lower = soft[i].m_lower;
 			row.m_upper = soft[i].m_upper;
+			row.m_isForStock = false;
 			row.m_partner = static_cast<signed char>(pair[1 - i]);
+			row.m_coupling = coupling;
 			rows.m_row[pair[i]].m_soft = soft[i];
 			rows.m_row[pair[i]].m_partner = pair[1 - i];
 			rows.m_row[pair[i]].m_coupling = between;
@@ -235,19 +245,21 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 		row.m_dof = m_row[r].m_dof;
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
 		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
-		row.m_soft = makeRow(r, row.m_diagonal, erp, false);
 		row.m_bound = m_lastBound[row.m_dof];
 		row.m_partner = -1;
 		row.m_coupling = 0;
 	}
+	if (!m_usesFibres && !m_model.m_isPaper)
+		couple(rows);
+	for (int r = 0; r < rows.m_numRows; ++r)
+		if (m_row[r].m_partner < 0)
+			rows.m_row[r].m_soft = makeRow(r, rows.m_row[r].m_diagonal, erp, false);
 	if (m_usesFibres)
 	{
 		const btVector3& axis = k.m_axis[0];
 		m_fibres.begin(m_kinematics.m_strain, motion, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt,
 					   rows);
 	}
-	else if (!m_model.m_isPaper)
-		couple(rows);
 	rows.m_damping = m_model.m_isPaper ? TensionDamping() : TensionDamping::of(m_model, k, dt);
 	return true;
 }
@@ -304,15 +316,6 @@ ReturnMapping JointStep::returnMap(int r) const
 	const Row& row = m_row[r];
 	const DofState s = dofState(row.m_dof);
 	const RowOutcome outcome = outcomeOf(r);
-	const btScalar coupling = row.m_partner >= 0 ? m_model.m_capacity.couplingCompliance(row.m_dof) : btScalar(0);
-	if (coupling != 0)
-	{
-		const DofState states[2] = {s, dofState(m_row[row.m_partner].m_dof)};
-		const RowOutcome outcomes[2] = {outcome, outcomeOf(row.m_partner)};
-		ReturnMapping mapped[2];
-		returnMapCoupled(states, meanForce(0), coupling, outcomes, m_dt, mapped);
-		return mapped[0];
-	}
 	if (m_model.m_capacity.isRigidPlastic(row.m_dof))
 		return rigidReturnMap(outcome.m_impulse, outcome.m_trial, outcome.isAtBound(outcome.side(), s.m_yield * m_dt),
 							  m_dt);
@@ -320,6 +323,18 @@ ReturnMapping JointStep::returnMap(int r) const
 		return paperLaw(row.m_dof).returnMap(s, outcome, m_dt);
 	return row.m_isForStock ? stockReturnMap(s, outcome, m_dt)
 							: btElasticPlastic::returnMap(s, meanForce(0), outcome, m_dt);
+}
+
+/// As returnMap(), of a row and the one with which it is coupled.
+void JointStep::returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const
+{
+	const int pair[2] = {r, m_row[r].m_partner};
+	const DofState states[2] = {dofState(m_row[pair[0]].m_dof), dofState(m_row[pair[1]].m_dof)};
+	const RowOutcome outcomes[2] = {outcomeOf(pair[0]), outcomeOf(pair[1])};
+	ReturnMapping both[2];
+	returnMapCoupled(states, meanForce(0), m_row[r].m_coupling, outcomes, m_dt, both);
+	for (int i = 0; i < 2; ++i)
+		mapped[pair[i]] = both[i];
 }
 
 /// What a search that has been cut leaves: a force that is less than the deformation's. The deformation beyond it is plastic where the
@@ -334,7 +349,7 @@ ReturnMapping JointStep::mapCut(int r) const
 	if (!m_model.m_capacity.isRigidPlastic(row.m_dof))
 		beyond -= mapped.m_force / m_model.m_capacity.m_stiffness[row.m_dof];
 	if (row.m_partner >= 0)
-		beyond -= m_model.m_capacity.couplingCompliance(row.m_dof) * m_row[row.m_partner].m_impulse / m_dt;
+		beyond -= row.m_coupling * m_row[row.m_partner].m_impulse / m_dt;
 	const bool flows = outcome.m_bound != 0 && beyond * mapped.m_force > 0;
 	mapped.m_increment = flows ? beyond : btScalar(0);
 	mapped.m_unloaded = flows || m_model.m_capacity.isRigidPlastic(row.m_dof) ? btScalar(0) : beyond;
@@ -472,9 +487,8 @@ bool JointStep::isUsable(double work) const
 btScalar JointStep::deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) const
 {
 	const Row& row = m_row[r];
-	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
-	const btScalar own = force[row.m_dof] / capacity.m_stiffness[row.m_dof];
-	return row.m_partner < 0 ? own : own + capacity.couplingCompliance(row.m_dof) * force[m_row[row.m_partner].m_dof];
+	const btScalar own = force[row.m_dof] / m_model.m_capacity.m_stiffness[row.m_dof];
+	return row.m_partner < 0 ? own : own + row.m_coupling * force[m_row[row.m_partner].m_dof];
 }
 
 /// Ends the step of the branches by which the material damps, and books what they have dissipated.
@@ -624,7 +638,12 @@ int JointStep::commit(double share, bool isNew)
 	ReturnMapping mappedRows[BT_EP_DOF_COUNT];
 	const int numPlain = getNumPlainRows();
 	for (int r = 0; r < numPlain; ++r)
-		mappedRows[r] = isCut ? mapCut(r) : returnMap(r);
+		if (isCut)
+			mappedRows[r] = mapCut(r);
+		else if (m_row[r].m_partner < 0)
+			mappedRows[r] = returnMap(r);
+		else if (r < m_row[r].m_partner)
+			returnMapPair(r, mappedRows);
 	FibreStep::Outcome fibres;
 	if (m_usesFibres)
 	{

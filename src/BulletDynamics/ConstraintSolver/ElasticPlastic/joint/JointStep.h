@@ -175,6 +175,7 @@ private:
 		bool m_isBoundKnown;
 		bool m_isForStock;
 		signed char m_partner;  ///< the row with which it is coupled in this step, -1: none
+		btScalar m_coupling;    ///< compliance beside the diagonal, of both
 	};
 
 	void withholdDrift();
@@ -183,6 +184,7 @@ private:
 	void couple(JointRows& rows);
 	RowOutcome outcomeOf(int r) const;
 	ReturnMapping returnMap(int r) const;
+	void returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	ReturnMapping mapCut(int r) const;
 	void limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;

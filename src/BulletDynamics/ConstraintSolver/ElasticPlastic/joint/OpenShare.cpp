@@ -64,11 +64,7 @@ void OpenShare::addRow(const btElasticPlasticCapacity& capacity, const Row& row,
 		const double stiffness = capacity.m_stiffness[dof];
 		// The force that may be reached within a step: a row whose force stays below half of its yield value is not near yield.
 		// A coupled row is stiffer while its partner keeps still.
-		const double coupling = double(capacity.couplingCompliance(dof));
-		const double own =
-			coupling == 0
-				? stiffness
-				: 1 / (1 / stiffness - coupling * coupling * double(capacity.m_stiffness[capacity.coupledWith(dof)]));
+		const double coupling = double(capacity.relativeCoupling(dof)), own = stiffness / (1 - coupling * coupling);
 		const auto reached = [&](double time)
 		{ return fabs(double(row.m_force)) + own * time * (fabs(double(row.m_after)) + change * time / (2 * length)); };
 		const bool isNear = reached(ahead) >= yield / 2;

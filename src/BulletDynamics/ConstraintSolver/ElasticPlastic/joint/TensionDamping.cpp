@@ -59,6 +59,8 @@ void TensionDamping::addAcross(const JointModel& model, const Kinematics& k, con
 	const btScalar length = chord.length();
 	const btVector3 along = chord / length;
 	const btScalar armA = k.m_rA.dot(along), armB = -k.m_rB.dot(along), tension = force.dot(along);
+	if (!(tension > 0))
+		return;
 	// Where shear and bending are coupled, bodies turn about the middle of what is elastic as long as bending does not flow.
 	btScalar leverage = btMax(btScalar(0), armA) * btMax(btScalar(0), armB);
 	for (int shear = BT_EP_SHEAR_Y; shear <= BT_EP_SHEAR_Z; ++shear)
@@ -66,7 +68,7 @@ void TensionDamping::addAcross(const JointModel& model, const Kinematics& k, con
 		const btScalar shift = model.m_capacity.elasticMiddle(shear) * k.m_axis[0].dot(along);
 		btSetMax(leverage, btMax(btScalar(0), armA + shift) * btMax(btScalar(0), armB - shift));
 	}
-	if (!(tension > 0 && leverage > 0))
+	if (!(leverage > 0))
 		return;
 	const btScalar stiffness = tension * leverage / length;
 	btVector3 across[2];
