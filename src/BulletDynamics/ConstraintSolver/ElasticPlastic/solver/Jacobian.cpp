@@ -51,21 +51,20 @@ void project(const SystemInput& input, const std::vector<double>& velocity, std:
 			relative[0][i] = a[i] + turnA[i] - b[i] - turnB[i];
 			relative[1][i] = a[3 + i] - b[3 + i];
 		}
+		double onAxis[6];
+		for (int axis = 0; axis < 3; ++axis)
+		{
+			onAxis[axis] = dot(unit.m_axis[axis], relative[0]);
+			onAxis[3 + axis] = dot(unit.m_axis[axis], relative[1]);
+		}
 		double* to = &along[unit.m_firstRow];
 		const int numPlain = unit.getNumPlainRows();
 		for (int r = 0; r < numPlain; ++r)
-		{
-			const int dof = unit.m_dof[r];
-			to[r] = dof < 3 ? dot(unit.m_axis[dof], relative[0]) : dot(unit.m_axis[dof - 3], relative[1]);
-		}
-		if (unit.m_numFibres == 0)
-			continue;
-		const double axial = dot(unit.m_axis[0], relative[0]), turnY = dot(unit.m_axis[1], relative[1]),
-					 turnZ = dot(unit.m_axis[2], relative[1]);
+			to[r] = onAxis[unit.m_dof[r]];
 		for (int i = 0; i < unit.m_numFibres; ++i)
 		{
 			const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
-			to[numPlain + i] = axial + fibre.m_z * turnY - fibre.m_y * turnZ;
+			to[numPlain + i] = onAxis[0] + fibre.m_z * onAxis[4] - fibre.m_y * onAxis[5];
 		}
 	}
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
@@ -81,11 +80,13 @@ void addImpulses(const SystemInput& input, const double* impulses, std::vector<d
 	const auto of = [&](int body) { return body >= 0 ? &momentum[6 * size_t(body)] : onGround; };
 	for (const SystemInput::Unit& unit : input.m_units)
 	{
-		double sum[2][3] = {}, moment[3];
+		double onAxis[6] = {}, sum[2][3] = {}, moment[3];
 		for (int r = 0; r < unit.getNumPlainRows(); ++r)
+			onAxis[unit.m_dof[r]] = impulses[unit.m_firstRow + r];
+		for (int axis = 0; axis < 3; ++axis)
 		{
-			const int dof = unit.m_dof[r];
-			addScaled(impulses[unit.m_firstRow + r], unit.m_axis[dof % 3], sum[dof / 3]);
+			addScaled(onAxis[axis], unit.m_axis[axis], sum[0]);
+			addScaled(onAxis[3 + axis], unit.m_axis[axis], sum[1]);
 		}
 		addFibres(input, unit, impulses + unit.getFirstFibreRow(), sum);
 		for (int side = 0; side < 2; ++side)
