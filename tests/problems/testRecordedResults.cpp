@@ -214,7 +214,7 @@ const Recorded RECORDS[] = {
 	 Solver::Iterative,
 	 {0x893f40f4b9a14e76, 0x72c9b45c23548032},
 	 {0x0751f4d8e65a01de, 0x94b20a4132ed8f3f}},
-	{"beam", beam, Solver::Direct, {0xc9eaea65e85c5e2a, 0x3f7197c5f83005d6}, {0x55175a39fab5c010, 0x128f55429cb8a273}},
+	{"beam", beam, Solver::Direct, {0x708f7b58c36e2fa1, 0x3f7197c5f83005d6}, {0x55175a39fab5c010, 0x128f55429cb8a273}},
 	{"beam",
 	 beam,
 	 Solver::Iterative,

@@ -83,8 +83,8 @@ TEST_F(Report, HasRecordsOfEverySetting)
 	}
 	for (const char* solver : {"direct", "iterative", "stock", "nncg", "mlcp"})
 		EXPECT_TRUE(solvers.count(solver)) << solver;
-	for (const char* scheme : {"default", "paper", "bullet-fixed", "bullet-spring2", "profile", "everything",
-							   "without elasticity", "without direct solve"})
+	for (const char* scheme : {"default", "inner steps", "paper", "bullet-fixed", "bullet-spring2", "profile",
+							   "everything", "without elasticity", "without direct solve"})
 		EXPECT_TRUE(schemes.count(scheme)) << scheme;
 	// As many lines as records, and the headings.
 	const std::string csv = read(m_folder / "out" / "report.csv");

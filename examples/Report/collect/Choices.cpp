@@ -54,6 +54,7 @@ const std::vector<Named<Scheme>>& schemes()
 												   {"bullet-spring2", Scheme::BulletSpring2},
 												   {"ode-fixed", Scheme::OdeFixed},
 												   {"ode-soft", Scheme::OdeSoft},
+												   {"inner steps", Scheme::InnerSteps},
 												   {"profile", Scheme::Profile},
 												   {"everything", Scheme::Everything},
 												   {"without elasticity", Scheme::WithoutElasticity},

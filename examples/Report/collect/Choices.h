@@ -44,6 +44,7 @@ enum class Scheme
 	BulletSpring2,
 	OdeFixed,
 	OdeSoft,
+	InnerSteps,  ///< our joints with the direct solver as it is by default
 	Profile,     ///< substeps by btElasticPlasticStepControl
 	Everything,  ///< to compare with those that leave something out
 	WithoutElasticity,

@@ -120,6 +120,9 @@ std::vector<Setting> settingsToCompare(int rate, int substeps, bool hasFibres, b
 	// Errors are told over the step: each is as long as it says.
 	for (Setting& setting : settings)
 		setting.method = setting.method.alsoWithout(parts::InnerSteps);
+	// But for the solver as it is by default, of which a game has what its step gives.
+	if (substeps == 1 && rate <= 240)
+		settings.push_back({Solver::Direct, Scheme::InnerSteps});
 	return settings;
 }
 }  // namespace ep

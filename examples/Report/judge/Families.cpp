@@ -9,6 +9,7 @@ const std::vector<Named<Family>>& families()
 {
 	static const std::vector<Named<Family>> all = {
 		{"our joints, our solver, profile", {Scheme::Profile}},
+		{"our joints, our solver, inner steps", {Scheme::InnerSteps}},
 		{"our joints, our solver, direct", {Scheme::Default, ReportSolver::Direct}},
 		{"our joints, our solver, iterative", {Scheme::Default, ReportSolver::Iterative}},
 		{"our joints, Bullet's solver", {Scheme::Default, ReportSolver::Stock}},

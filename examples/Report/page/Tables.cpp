@@ -65,7 +65,9 @@ Grid overviewOf(const ByProblem& problems)
 	Grid grid;
 	grid.title = "Relative error at 1/60 s";
 	grid.what =
-		"In float; iterative solvers with 10 iterations; only the profile, for 1 %, takes substeps. Green keeps to 1 "
+		"In float; iterative solvers with 10 iterations; the profile, for 1 %, takes substeps, the solver by default "
+		"inner steps, "
+		"all others neither. Green keeps to 1 "
 		"%, dark "
 		"green to 0.1 %, yellow to 10 %. Of which quantity it is, the worst of the problem's, is under the mouse.";
 	const std::vector<Named<Family>> compared = familiesOf(problems);
