@@ -89,7 +89,7 @@ TEST(Kinematics, JacobianIsTheRateOfStrain)
 							  frameB.inverse();
 	const btVector3 vA(1, btScalar(-0.5), 2), wA(btScalar(0.3), 1, -1), vB(btScalar(0.2), 1, 1),
 		wB(-1, btScalar(0.4), btScalar(0.6));
-	const btScalar h = btScalar(byPrecision(1e-6, 1e-3));
+	const btScalar h = btScalar(inPrecision(1e-6, 1e-3));
 	// Without a bow, and with one that is so long that it counts beside an elastic turn of 1e-5, either way round.
 	for (const btScalar length : {btScalar(0), btScalar(1000), btScalar(-1000)})
 	{

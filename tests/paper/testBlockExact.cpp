@@ -154,7 +154,9 @@ TEST(BlockExact, BreaksWhenOverloaded)
 /// The relative difference of a turned scene's course to the upright one's.
 void expectSame(const Course& upright, const Course& turned)
 {
-	// Float: 1.3e-5 measured; the rounding of a pose (1e-7 m) is 1e-4 of the plastic elongation.
+	// Float: 1.3e-5 measured; the rounding of a pose (1e-7 m) is 1e-4 of the plastic elongation. With -ffast-math a program has its own
+	// btMatrix3x3::getRotation, which Bullet's integration takes, too, and clang's turns a body at rest by a rounding in each step: 1e-7 at the joint,
+	// 1.5 m from the block's centre, make 3 times as much of plastic elongation (60 kN hang on 80 kN), 4e-4 of it; 2e-4 measured.
 	const double tolerance = byPrecision(1e-9, 1e-4);
 	EXPECT_NEAR(1, turned.m_plastic / upright.m_plastic, tolerance);
 	EXPECT_NEAR(1, turned.m_place / upright.m_place, tolerance);
@@ -206,10 +208,11 @@ TEST(BlockExact, IsTheSameInAnyTurn)
 			fall.turn = turn();
 			fall.bodyTurn = turn();
 			const Course turned = run(fall, 960, 1, 0.5);
-			// Float: Bullet adds each of the 480 steps to coordinates of up to 2 m, which are multiples of 1e-7 m. The sum of so many roundings
-			// has a deviation of 1e-6 m, 7e-4 of the plastic elongation; that is the most of 200 turns as well.
-			EXPECT_NEAR(1, turned.m_plastic / upright.m_plastic, byPrecision(1e-9, 1.5e-3)) << i;
-			EXPECT_NEAR(1, turned.m_place / upright.m_place, byPrecision(1e-9, 1.5e-3)) << i;
+			// Float: in 28 of 100 turns Bullet's integration does not leave a body's orientation as it is, at rest and rounded three times
+			// before. What its rounding moves the joint, 1.5 m from the block's centre, by (1e-7 of it for each of three coordinates), is strain:
+			// three times as much flows, 5e-4 to 1e-3 of the plastic elongation. 6e-4 is the most of 200 turns, 4e-6 of those that stay; with -ffast-math 8e-4.
+			EXPECT_NEAR(1, turned.m_plastic / upright.m_plastic, inPrecision(1e-9, 1.5e-3)) << i;
+			EXPECT_NEAR(1, turned.m_place / upright.m_place, inPrecision(1e-9, 1.5e-3)) << i;
 		}
 }
 

@@ -23,7 +23,7 @@ typedef FrameStiffness::Six Six;
 
 /// Share of the loads. In double a small one, as matrix stiffness is linear: what is left is of second order, the turns' share of a
 /// moment. In float a large one, as displacements are to be far above the rounding of places.
-const double LOAD = byPrecision(0.02, 1), TOLERANCE = byPrecision(2e-4, 6e-3);
+const double LOAD = inPrecision(0.02, 1), TOLERANCE = inPrecision(2e-4, 6e-3);
 
 FrameStiffness::Vector vectorOf(const btVector3& v) { return {double(v.x()), double(v.y()), double(v.z())}; }
 
@@ -157,7 +157,7 @@ public:
 		for (size_t m = 0; m < m_members.size(); ++m)
 			for (int dof = 0; dof < 3; ++dof)
 				most = std::max(most, std::fabs(m_reference.sectionForce(int(m), 0)[size_t(dof)]));
-		return 8 * byPrecision(1, 1) * double(SIMD_EPSILON) * stiffest / most;
+		return 8 * double(SIMD_EPSILON) * stiffest / most;
 	}
 
 	World m_world;
@@ -282,7 +282,7 @@ TEST(Frames, OfAnyMixtureAreAsStiffAsByMatrixAnalysis)
 		}
 		frame.settle();
 		// At the full load these frames have half a per cent of second order, as double shows, and rounding makes as much.
-		EXPECT_LT(frame.displacementError(), byPrecision(TOLERANCE, 0.01)) << "trial " << trial;
+		EXPECT_LT(frame.displacementError(), inPrecision(TOLERANCE, 0.01)) << "trial " << trial;
 		EXPECT_LT(frame.forceError(), TOLERANCE + frame.rounding()) << "trial " << trial;
 	}
 }

@@ -175,7 +175,7 @@ struct Shape
 };
 
 /// \param stiffer  than steel; so stiff that places stay where they are, but not so that float rounds what is elastic of them
-btElasticPlasticCapacity capacityOf(const btElasticPlasticSection& section, double stiffer = byPrecision(100, 10))
+btElasticPlasticCapacity capacityOf(const btElasticPlasticSection& section, double stiffer = inPrecision(100, 10))
 {
 	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(YIELD));
 	steel.m_ultimatePlasticStrain = btScalar(1e6);
@@ -325,10 +325,12 @@ TEST(ShearInteraction, IsLeftOutWhereItIsNotAskedFor)
 TEST(ShearInteraction, IsTheSameInAnyFrameAndWithEitherBodyFirst)
 {
 	std::mt19937 random(2);
+	double sum = 0;
+	int count = 0;
 	for (const Shape& shape : shapes())
 	{
 		const btElasticPlasticCapacity capacity = capacityOf(shape.m_section);
-		for (int i = 0; i < 5; ++i)
+		for (int i = 0; i < 20; ++i)
 		{
 			const SectionForces6 scaled = scaledToSurface(shape.m_exact, anyDirection(random));
 			Loaded plain(capacity);
@@ -340,11 +342,18 @@ TEST(ShearInteraction, IsTheSameInAnyFrameAndWithEitherBodyFirst)
 					for (double& f : signedForces)
 						f *= sign;
 					Loaded loaded(capacity, isReversed, btQuaternion(btVector3(1, 2, 3).normalized(), 2));
-					// A step of the load, as rounding may tell.
-					EXPECT_NEAR(share, shareBorne(loaded, signedForces), 0.011) << shape.m_name;
+					const double difference = std::fabs(share - shareBorne(loaded, signedForces));
+					// Rounding tells which fibre flows first, and with it by up to 0.015 what the section bears in the end, as loads in steps of
+					// 0.0025 show. In steps of 0.01 that is two of them in 4 to 8 of 1600 directions with any compiler, with -ffast-math or without,
+					// and one with the stiffer springs of double.
+					EXPECT_LT(difference, inPrecision(0.011, 0.021)) << shape.m_name;
+					sum += difference;
+					++count;
 				}
 		}
 	}
+	// A frame has no part in it: most bear the same to the step. 0.0001 measured in 1600 directions in double; 0.0007 in float.
+	EXPECT_LT(sum / count, inPrecision(0.0005, 0.0015));
 }
 
 TEST(ShearInteraction, BearsWhatIsBelowItsStrengthForEver)

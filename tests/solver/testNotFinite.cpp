@@ -29,7 +29,7 @@ struct Pairs
 	{
 		btCollisionShape* const cube = m_world.box(btVector3(1, 1, 1));
 		for (int i = 0; i < 4; ++i)
-			m_bodies.push_back(m_world.body(btScalar(i < 2    ? byPrecision(1e-60, 1e-4)
+			m_bodies.push_back(m_world.body(btScalar(i < 2    ? inPrecision(1e-60, 1e-4)
 													 : i == 2 ? 0
 															  : 12),
 											cube, place(i), false));

@@ -13,10 +13,13 @@ const double FLOAT_ROUNDING = 4;
 const double FLOAT_ROUNDING = 1;
 #endif
 
-/// A tolerance per precision of Bullet, where rounding decides.
-inline double byPrecision(double inDouble, double inFloat)
+/// A value per precision of Bullet that is no tolerance of rounding: a setting of a test, or a bound of what is not rounding.
+inline double inPrecision(double inDouble, double inFloat)
 {
-	return sizeof(btScalar) == sizeof(double) ? inDouble : inFloat * FLOAT_ROUNDING;
+	return sizeof(btScalar) == sizeof(double) ? inDouble : inFloat;
 }
+
+/// A tolerance per precision of Bullet, where rounding decides.
+inline double byPrecision(double inDouble, double inFloat) { return inPrecision(inDouble, inFloat * FLOAT_ROUNDING); }
 
 #endif  // EP_TEST_PRECISION_H

@@ -112,12 +112,17 @@ btRigidBody* World::body(btScalar mass, btCollisionShape* shape, const btTransfo
 	if (mass > 0)
 		shape->calculateLocalInertia(mass, inertia);
 	btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, inertia);
-	// Bullet rounds an orientation when it first moves the body: do it now, before joints are measured by it.
 	info.m_startWorldTransform = pose;
-	for (int i = 0; i < 3; ++i)
-		info.m_startWorldTransform.setRotation(info.m_startWorldTransform.getRotation().normalized());
 	m_bodies.emplace_back(new btRigidBody(info));
 	btRigidBody* body = m_bodies.back().get();
+	// Bullet rounds an orientation when it first moves the body. It does so now, before joints are measured by it, and by its own
+	// functions: the same ones compiled with other options here would round otherwise.
+	for (int i = 0; i < 3; ++i)
+	{
+		btTransform rounded;
+		body->predictIntegratedTransform(0, rounded);
+		body->setCenterOfMassTransform(rounded);
+	}
 	body->setActivationState(DISABLE_DEACTIVATION);
 	if (collides && mass > 0 && m_method.has(parts::ContinuousCollision))
 	{

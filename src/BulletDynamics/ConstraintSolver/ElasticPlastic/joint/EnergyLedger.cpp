@@ -227,7 +227,7 @@ void EnergyLedger::calm(const Account& account, double beyond)
 }
 
 /// Bullet has moved the bodies by the velocities that change now. Turned anew from where it was, a body's kinetic energy is what it was
-/// counted for.
+/// counted for. What turns by less than a basis is rounded by stays as it is: rounded back and forth in each step it would turn by that.
 void EnergyLedger::move(btScalar dt)
 {
 	for (size_t i = 0; i < m_parts.size(); ++i)
@@ -236,8 +236,9 @@ void EnergyLedger::move(btScalar dt)
 		const Body& change = m_bodies[size_t(m_partBodies[i])];
 		btRigidBody& body = *change.m_body;
 		const btVector3 linear = part.m_velocity + change.m_linear, angular = part.m_spin + change.m_angular;
-		btTransform place;
-		btTransformUtil::integrateTransform(part.m_pose, linear, angular, dt, place);
+		btTransform place = body.getCenterOfMassTransform();
+		if (change.m_angular.length() * dt > SIMD_EPSILON / 2)
+			btTransformUtil::integrateTransform(part.m_pose, linear, angular, dt, place);
 		place.setOrigin(body.getCenterOfMassPosition() + change.m_linear * dt);
 		body.setLinearVelocity(body.getLinearVelocity() + change.m_linear);
 		body.setAngularVelocity(body.getAngularVelocity() + change.m_angular);
