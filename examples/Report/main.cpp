@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <random>
 #include <thread>
 
 #include "cases/CaseRunner.h"
@@ -26,6 +27,8 @@
 namespace
 {
 namespace fs = std::filesystem;
+
+const char* const SETTINGS = "settings.txt";
 
 struct Options
 {
@@ -93,10 +96,23 @@ std::string warningOf(double spread)
 						 : "";
 }
 
+/// Refuses to write over what no report has written: a folder that one has begun has its settings, and lists that are of records.
+void checkFolder(const fs::path& out)
+{
+	for (const char* name : {"report.json", "stability.json", "report.csv", "report.html", "pictures"})
+		if (fs::exists(out / name) && !fs::exists(out / SETTINGS))
+			throw std::runtime_error("'" + (out / name).string() +
+									 "' would be overwritten, and no report has written it: there is no " + SETTINGS +
+									 " beside it. Move it away, or give another folder (--out)");
+	for (const char* name : {"report.json", "stability.json"})
+		if (fs::exists(out / name))
+			ep::readRecords((out / name).string());
+}
+
 /// Cases of few and of all settings have the same names: a folder is for one or the other.
 void checkSettings(const fs::path& out, bool few)
 {
-	const fs::path file = out / "settings.txt";
+	const fs::path file = out / SETTINGS;
 	const std::string mine = few ? "few" : "all";
 	std::string begun = mine;
 	std::ifstream(file) >> begun;
@@ -105,6 +121,14 @@ void checkSettings(const fs::path& out, bool few)
 								 " settings, now it is to have " + mine + ": give another folder (--out)");
 	fs::create_directories(out);
 	ep::writeText(file.string(), mine + "\n");
+}
+
+/// Written aside: another shard that looks at the file finds it whole.
+void replace(const fs::path& file, const std::string& text)
+{
+	const std::string part = file.string() + "." + std::to_string(std::random_device()()) + ".part";
+	ep::writeText(part, text);
+	fs::rename(part, file);
 }
 
 void run(const Options& o, const char* self)
@@ -122,14 +146,14 @@ void run(const Options& o, const char* self)
 	for (size_t i : ep::shardOf(cases.size(), o.shard))
 		jobs.push_back(jobOf(cases[i], programs.at(cases[i].precision),
 							 " --repeats " + std::to_string(repeats) + (isQuick ? " --quick" : "")));
+	checkFolder(o.out);
 	checkSettings(o.out, isQuick);
 	const int failed = ep::runCases(jobs, folder, o.jobs);
 
-	const ep::Records records = ep::readRecords(folder);
+	const ep::Records records = ep::readAllRecords(folder);
 	const fs::path out(o.out);
-	ep::writeText((out / "report.json").string(), toJson(ep::Record::columns(), records.ofProblems).dump(1) + "\n");
-	ep::writeText((out / "stability.json").string(),
-				  toJson(ep::TrialRecord::columns(), records.ofTrials).dump(1) + "\n");
+	replace(out / "report.json", toJson(ep::Record::columns(), records.ofProblems).dump(1) + "\n");
+	replace(out / "stability.json", toJson(ep::TrialRecord::columns(), records.ofTrials).dump(1) + "\n");
 	ep::writeText((out / "report.csv").string(), toCsv(ep::Record::columns(), records.ofProblems));
 	const double spread = ep::spreadOfTimes(records.ofProblems);
 	const std::vector<std::pair<std::string, std::string>> stamp = {

@@ -308,6 +308,36 @@ TEST_F(Report, ForeignRecordsAreRefused)
 	EXPECT_EQ(0, report("").status);
 }
 
+TEST_F(Report, WritesOverNothingThatIsNoReports)
+{
+	const fs::path out = m_folder / "out";
+	const auto refuses = [&](const char* name, const std::string& text, const std::string& reason)
+	{
+		fs::create_directories(out);
+		const std::string before = fs::exists(out / name) ? read(out / name) : "";
+		std::ofstream(out / name) << text;
+		const Ended result = report("");
+		EXPECT_EQ(1, result.status) << name;
+		EXPECT_NE(std::string::npos, result.output.find("'" + (out / name).string() + "' " + reason)) << result.output;
+		EXPECT_EQ(text, read(out / name));
+		EXPECT_FALSE(fs::exists(out / "cases") && before.empty()) << name;
+		fs::remove(out / name);
+		if (!before.empty())
+			std::ofstream(out / name) << before;
+	};
+	// In a folder that no report has begun, whatever it is.
+	for (const char* name : {"report.json", "stability.json", "report.csv", "report.html"})
+		refuses(name, "[]", "would be overwritten, and no report has written it");
+	fs::create_directories(out / "pictures");
+	EXPECT_EQ(1, report("").status);
+	fs::remove(out / "pictures");
+	ASSERT_EQ(0, report("").status);
+	// In one that has been begun.
+	refuses("report.json", "[{}]", "is no list of records (record 1: problem is missing): delete it");
+	refuses("stability.json", "{}", "is no list of records");
+	EXPECT_EQ(0, report("").status);
+}
+
 /// Each problem's name is one that its own records may have.
 TEST_F(Report, ReadsWhatItHasWrittenOfEachProblem)
 {

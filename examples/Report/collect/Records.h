@@ -8,15 +8,17 @@
 
 namespace ep
 {
-/// What the files of a folder hold.
 struct Records
 {
 	std::vector<Record> ofProblems;
 	std::vector<TrialRecord> ofTrials;
 };
 
-/// In the order of the files' names. Throws std::runtime_error naming a file that cannot be read.
-Records readRecords(const std::string& folder);
+/// What a file holds. Throws std::runtime_error naming it if it is no list of records.
+Records readRecords(const std::string& file);
+
+/// What all files of a folder hold, in the order of their names.
+Records readAllRecords(const std::string& folder);
 }  // namespace ep
 
 #endif  // EP_REPORT_RECORDS_H
