@@ -96,7 +96,11 @@ class Computing(unittest.TestCase):
 		self.assertAlmostEqual(rod.force[0], 20e3, delta=20)
 		self.assertAlmostEqual(rod.utilisation, 1, delta=1e-3)
 		self.assertTrue(rod.has_yielded and not rod.is_broken and not rod.is_cut)
-		self.assertAlmostEqual(rod.plastic_energy, 20e3 * rod.plastic_deformation[0], delta=1)
+		# Until it first unloads, what flows is told when the load has given it, half a step later.
+		half_step = (scene.times[1] - scene.times[0]) / 2
+		flowed = 20e3 * rod.plastic_deformation[0]
+		self.assertLessEqual(rod.plastic_energy, flowed + 1)
+		self.assertGreaterEqual(rod.plastic_energy, flowed - 20e3 * abs(load.velocity[1]) * half_step - 1)
 		self.assertLess(load.velocity[1], 0)
 		np.testing.assert_allclose(load.rotation, [0, 0, 0, 1], atol=1e-6)
 		scene.run()

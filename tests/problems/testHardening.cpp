@@ -181,12 +181,12 @@ TEST(Hardening, UnloadsAndReloadsByTheSpring)
 		PulledBar bar(hardeningSteel(LINE, share));
 		for (int i = 0; i < 96; ++i)
 			bar.step(0.1);
-		const double force = bar.force(), at = bar.elongation(), plastic = bar.m_joint->getPlasticEnergy();
+		const double force = bar.force(), at = bar.elongation(), plastic = bar.m_joint->getState().m_plasticEnergy;
 		for (int i = 0; i < 8; ++i)
 			bar.step(i < 4 ? -0.1 : 0.1);
 		const auto sprung = [&] { return force - AREA * YOUNGS / LENGTH * (at - bar.elongation()); };
 		EXPECT_NEAR(sprung(), bar.force(), 1e-4 * force) << share;
-		EXPECT_EQ(plastic, bar.m_joint->getPlasticEnergy()) << share;
+		EXPECT_EQ(plastic, bar.m_joint->getState().m_plasticEnergy) << share;
 		for (int i = 0; i < 4; ++i)
 			bar.step(-0.1);
 		EXPECT_NEAR(sprung(), bar.force(), 1e-4 * force) << share;

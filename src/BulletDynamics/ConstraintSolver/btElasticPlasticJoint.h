@@ -110,11 +110,12 @@ public:
 	int getRulingFibre() const;
 
 	/// Stored in the springs, f^2 / 2k [J]; of a broken joint: what it held when it broke, lost in the fracture. With a solver whose iterations
-	/// may end before the solution, as far as the bodies have given for it: the strain that such a solver leaves is no energy.
+	/// may end before the solution, as far as the bodies have given for it: the strain that such a solver leaves is no energy. Places are half
+	/// a step ahead of velocities: what the springs took in the last half of a step is told when bodies have given it.
 	double getElasticEnergy() const;
 
-	/// Dissipated by plastic flow, force times way (m_plasticEnergy of the state) [J]; with such a solver, and of a joint's first step, as far as
-	/// the bodies have given for it.
+	/// Dissipated by plastic flow, force times way (m_plasticEnergy of the state) [J]; with such a solver, and until the joint
+	/// first unloads, as far as the bodies have given for it.
 	double getPlasticEnergy() const;
 
 	/// Dissipated by the material's damping [J].

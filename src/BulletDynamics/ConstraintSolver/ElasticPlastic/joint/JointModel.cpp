@@ -507,25 +507,47 @@ double JointModel::elasticEnergy() const
 {
 	const double springs = springEnergy();
 	if (m_state.m_solvedExactly)
-		return springs - fmin(springs, fmax(-m_state.m_storedEnergy - dissipatedEnergy(), 0));
+		return springs - fmin(springs, fmax(springsAhead(), -m_state.m_storedEnergy - dissipatedEnergy()));
 	return m_state.m_lastStep == 0 ? springs : fmax(fmin(springs, m_state.m_storedEnergy), 0);
 }
 
 double JointModel::paidShare() const
 {
 	const double dissipated = dissipatedEnergy();
-	return m_state.m_storedEnergy < 0 && dissipated > 0 ? fmax(1 + m_state.m_storedEnergy / dissipated, 0) : 1;
+	const double owed = m_state.m_solvedExactly ? -m_state.m_storedEnergy - springsAhead() : -m_state.m_storedEnergy;
+	return owed > 0 && dissipated > 0 ? fmax(1 - owed / dissipated, 0) : 1;
 }
 
-/// Before the first step nothing is behind a joint, and its force begins as that of a leapfrog does: places and what depends on them are
-/// half a step ahead of the bodies' velocities, and of what these have given. Under a load they may stay ahead, so that what is owed is halved
-/// from step to step.
-void JointModel::findOwed(double share, bool isNew)
+/// Places are half a step ahead of the bodies' velocities, and of what these have given: springs that are being loaded hold more, by what
+/// they took in the last half of the step.
+double JointModel::springsAhead() const
+{
+	if (m_isPaper)
+		return 0;
+	const bool areFibres = usesFibres() && m_state.m_fibres.size() > 0;
+	double rate = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (!(areFibres && isOfFibres(i)))
+			rate += double(elasticDeformation(i)) * double(m_state.m_forceRate[i]);
+	for (int i = 0; i < m_state.m_fibres.size() && areFibres; ++i)
+		rate += double(m_state.m_fibres[i].m_force) * double(m_state.m_fibres[i].m_forceRate) /
+				double(m_capacity.m_fibres[i].m_stiffness);
+	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && areFibres && m_state.m_solvedExactly; ++i)
+		rate += double(m_state.m_force[i]) * double(m_capacity.couplingCompliance(i)) *
+				double(m_state.m_forceRate[btElasticPlasticCapacity::coupledWith(i)]);
+	return fmax(fmin(0.5 * double(m_state.m_lastStep) * rate, springEnergy() + dissipatedEnergy() - m_state.m_work), 0);
+}
+
+/// Before the first step nothing is behind a joint, and its force begins as that of a leapfrog does: all that it takes until it unloads, its flow
+/// too, is half a step ahead. A step that is longer than the next leaves it ahead by more, which stays while the joint takes as much in a step
+/// of the world. Under a load that stays it may never be given: that is halved from step to step.
+void JointModel::findOwed(double share, bool isNew, double taken)
 {
 	if (m_isPaper || (!isNew && m_state.m_storedEnergy >= 0))
 		return;
-	const double ahead = fmax(springEnergy() + dissipatedEnergy() - m_state.m_work, 0);
-	m_state.m_storedEnergy = -(isNew ? ahead : fmin(ahead, -pow(0.5, share) * m_state.m_storedEnergy));
+	const double ahead = fmax(springEnergy() + dissipatedEnergy() - m_state.m_work, 0), owed = -m_state.m_storedEnergy;
+	const double lasting = fmax(pow(0.5, share) * owed, fmin(owed, taken / share));
+	m_state.m_storedEnergy = -(isNew ? ahead : fmin(ahead, fmax(lasting, 0.5 * taken)));
 }
 
 double JointModel::springEnergy() const

@@ -96,16 +96,20 @@ struct JointModel
 	/// Of what has been dissipated, the share that bodies have given for so far.
 	double paidShare() const;
 
-	/// After a step that has been solved exactly: what bodies still owe for the joint's first step.
+	/// After a step that has been solved exactly: what bodies still owe for what the joint has taken before it first unloads.
 	/// \param share  of the world's step: 1, or less of an inner one
 	/// \param isNew  the joint has its first step of the world
-	void findOwed(double share, bool isNew);
+	/// \param taken  by its force along the way of the step, at the velocities of its end [J]
+	void findOwed(double share, bool isNew, double taken);
 
 	/// By flow and by damping, whether it has been given for or not [J].
 	double dissipatedEnergy() const { return m_state.m_plasticEnergy + m_state.m_dampingEnergy; }
 
 	/// Of the springs' forces and deformations [J].
 	double springEnergy() const;
+
+	/// The part of it that bodies give in the next half of a step only [J].
+	double springsAhead() const;
 
 	/// Share of the ductility that is spent, the sum over the degrees of freedom (Miner's rule), with fibres of the section as one.
 	btScalar damage() const

@@ -694,7 +694,12 @@ int JointStep::commit(double share, bool isNew)
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
 	state.m_work = work;
 	if (state.m_solvedExactly)
-		m_model.findOwed(share, isNew);
+	{
+		double power = 0;
+		for (int r = 0, rows = m_numRows; r < rows; ++r)
+			power -= double(state.m_force[m_row[r].m_dof]) * double(m_row[r].m_velocity1);
+		m_model.findOwed(share, isNew, m_dt * power);
+	}
 	revert();
 	m_model.moveReference(unloaded);
 	if (!m_usesFibres && m_model.usesFibres())
