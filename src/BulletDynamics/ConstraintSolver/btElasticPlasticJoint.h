@@ -118,7 +118,7 @@ public:
 	/// first unloads, as far as the bodies have given for it.
 	double getPlasticEnergy() const;
 
-	/// Dissipated by the material's damping [J].
+	/// Dissipated by the material's damping, as far as the bodies have given for it, as above [J].
 	double getDampingEnergy() const;
 
 	/// Taken from the bodies by the joint in all, less elastic, plastic and damping energy: what the time integration has dissipated [J].

@@ -514,8 +514,11 @@ double JointModel::elasticEnergy() const
 double JointModel::paidShare() const
 {
 	const double dissipated = dissipatedEnergy();
-	const double owed = m_state.m_solvedExactly ? -m_state.m_storedEnergy - springsAhead() : -m_state.m_storedEnergy;
-	return owed > 0 && dissipated > 0 ? fmax(1 - owed / dissipated, 0) : 1;
+	if (m_state.m_storedEnergy >= 0 || dissipated <= 0)
+		return 1;
+	// What springs are ahead is held back of their own energy.
+	const double owed = -m_state.m_storedEnergy - (m_state.m_solvedExactly ? springsAhead() : 0);
+	return fmin(fmax(1 - owed / dissipated, 0), 1);
 }
 
 /// Places are half a step ahead of the bodies' velocities, and of what these have given: springs that are being loaded hold more, by what
