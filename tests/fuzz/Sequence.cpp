@@ -182,8 +182,14 @@ btElasticPlasticCapacity Sequence::capacityWithFibres()
 
 btElasticPlasticCapacity Sequence::capacity()
 {
-	if (m_chance.oneIn(5))
-		return capacityWithFibres();
+	btElasticPlasticCapacity capacity = m_chance.oneIn(5) ? capacityWithFibres() : capacityOfSprings();
+	if (m_chance.oneIn(4))
+		capacity.m_damping = m_chance.between(0, 0.1);
+	return capacity;
+}
+
+btElasticPlasticCapacity Sequence::capacityOfSprings()
+{
 	btElasticPlasticCapacity capacity;
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
 	{
@@ -202,7 +208,7 @@ btElasticPlasticCapacity Sequence::capacity()
 void Sequence::join(btRigidBody& a, btRigidBody& b, const btTransform& frameInA, const btTransform& frameInB,
 					const btElasticPlasticCapacity& capacity)
 {
-	Joint joint = {nullptr, nullptr, &a, &b, false};
+	Joint joint = {nullptr, nullptr, &a, &b, false, false};
 	if (m_chance.oneIn(3))
 	{
 		auto* const made = new btElasticPlastic6DofSpringConstraint(a, b, frameInA, frameInB, true);
@@ -343,7 +349,10 @@ void Sequence::repair()
 void Sequence::changeCapacity()
 {
 	if (Joint* const joint = anyJoint())
+	{
 		joint->m_joint->setCapacity(capacity());
+		joint->m_isWeakened = true;
+	}
 }
 
 void Sequence::changeJoint()
@@ -429,6 +438,12 @@ void Sequence::step()
 			stepWorlds(dt, 3, btScalar(1) / 120);
 		else
 			stepWorlds(dt, 0, dt);
+	// Bullet's own iterations may leave a force far beyond its bound.
+	m_refusal.clear();
+	for (const Joint& joint : m_joints)
+		if (!m_isHostile && m_form > 1 && !joint.m_isOrphan && !joint.m_joint->fault() && !joint.m_isWeakened &&
+			!joint.m_joint->setState(joint.m_joint->getState()))
+			complain("a state that a step has left is refused: " + m_refusal);
 }
 
 void Sequence::stepControlled()

@@ -51,7 +51,8 @@ private:
 		std::unique_ptr<btTypedConstraint> m_constraint;
 		btElasticPlasticJoint* m_joint;
 		btRigidBody *m_a, *m_b;
-		bool m_isOrphan;  ///< a body of it has been deleted: it may only be deleted, too
+		bool m_isOrphan;    ///< a body of it has been deleted: it may only be deleted, too
+		bool m_isWeakened;  ///< has had another capacity, which its force may be far beyond
 	};
 	typedef void (Sequence::*Operation)();
 
@@ -101,13 +102,14 @@ private:
 	// ---- the listener
 	void onYield(const btElasticPlasticEvent& event) override { check(event); }
 	void onBreak(const btElasticPlasticEvent& event) override;
-	void onRefused(btElasticPlasticJoint&, const char*) override {}
+	void onRefused(btElasticPlasticJoint&, const char* text) override { m_refusal = text; }
 	void onBadStep(btScalar, const char*) override {}
 
 	void makeBody(btScalar mass);
 	void join(btRigidBody& a, btRigidBody& b, const btTransform& frameInA, const btTransform& frameInB,
 			  const btElasticPlasticCapacity& capacity);
 	btElasticPlasticCapacity capacity();
+	btElasticPlasticCapacity capacityOfSprings();
 	btElasticPlasticCapacity capacityWithFibres();
 	btElasticPlasticMaterial materialOfFibres();
 	void stepWorlds(btScalar dt, int most, btScalar fixed);
@@ -135,6 +137,7 @@ private:
 	bool m_hasTwin = true;
 	std::vector<unsigned char> m_snapshot;  ///< empty: none
 	std::string m_complaint;
+	std::string m_refusal;  ///< what a listener has been told last
 };
 
 #endif  // EP_FUZZ_SEQUENCE_H

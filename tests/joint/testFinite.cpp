@@ -117,6 +117,92 @@ TEST_P(Capacities, NoSpeedAndNoStepSpoilsAState)
 			}
 }
 
+/// Calls visit(number) with each floating-point number of a state; those of fibres in the first and the last one.
+template <class Visit>
+void forEachNumber(btElasticPlasticState& state, const Visit& visit)
+{
+	const auto forAll = [&visit](auto& array)
+	{
+		for (auto& number : array)
+			visit(number);
+	};
+	for (btQuaternion* turn : {&state.m_plasticRotation, &state.m_plasticMiddle})
+		for (int i = 0; i < 4; ++i)
+			visit((*turn)[i]);
+	for (auto* array : {&state.m_force, &state.m_forceRate, &state.m_applied, &state.m_appliedBefore, &state.m_plastic,
+						&state.m_plasticPath, &state.m_withheld, &state.m_watched, &state.m_load[0], &state.m_load[1],
+						&state.m_branch[0], &state.m_branch[1], &state.m_branch[2]})
+		forAll(*array);
+	forAll(state.m_initial);
+	forAll(state.m_fibreStrain);
+	visit(state.m_lastStep);
+	visit(state.m_withheldStep);
+	for (double* energy :
+		 {&state.m_work, &state.m_plasticEnergy, &state.m_dampingEnergy, &state.m_storedEnergy, &state.m_placeEnergy})
+		visit(*energy);
+	const int last = state.m_fibres.size() - 1;
+	for (int i = 0; i <= last; i += btMax(last, 1))
+	{
+		btElasticPlasticFibreState& fibre = state.m_fibres[i];
+		for (btScalar* number : {&fibre.m_force, &fibre.m_forceRate, &fibre.m_offset, &fibre.m_damage, &fibre.m_path,
+								 &fibre.m_rate, &fibre.m_rateShare})
+			visit(*number);
+	}
+}
+
+/// A force may be beyond what a new capacity bears until the next step.
+void expectFinite(const btElasticPlasticJoint& joint, const char* when)
+{
+	btElasticPlasticState state = joint.getState();
+	int which = 0;
+	forEachNumber(state, [&](auto& number)
+				  { EXPECT_TRUE(btElasticPlasticIsFinite(double(number))) << "number " << which++ << ' ' << when; });
+}
+
+TEST_P(Capacities, NoNumberOfAStateSpoilsIt)
+{
+	const double most = double(std::numeric_limits<btScalar>::max());
+	for (const btScalar damping : {btScalar(0), btScalar(0.05)})
+		for (Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+			for (const double size : {1e15, 1e30, sqrt(most), most / 1e3, most, -most})
+			{
+				int count = 1;
+				for (int which = 0; which < count; ++which)
+				{
+					SCOPED_TRACE(testing::Message() << "solver " << int(solver) << ", number " << which << " of "
+													<< size << ", damping " << damping);
+					Pair pair(solver, 12, 12);
+					btElasticPlasticCapacity whole = capacity();
+					whole.m_damping = damping;
+					btElasticPlasticJoint* joint = pair.join(whole);
+					pair.m_b->setLinearVelocity(btVector3(1, 2, 3));
+					run(pair.m_world, 3, btScalar(1) / 60);
+					btElasticPlasticState state = joint->getState();
+					count = 0;
+					forEachNumber(state,
+								  [&](auto& number)
+								  {
+									  if (count++ == which)
+										  number = size;
+								  });
+					if (!joint->setState(state))
+						continue;
+					expectFinite(*joint, "at once");
+					btElasticPlasticCapacity soft = whole;
+					for (btScalar& stiffness : soft.m_stiffness)
+						stiffness *= btScalar(1e-3);
+					EXPECT_TRUE(joint->setCapacity(soft));
+					expectFinite(*joint, "with other springs");
+					run(pair.m_world, 1, btScalar(1) / 60);
+					expectUsable(*joint, "after a step");
+					EXPECT_TRUE(joint->setCapacity(evenCapacity(1e6, 1e3)));
+					expectFinite(*joint, "with another capacity");
+					run(pair.m_world, 2, btScalar(1) / 30);
+					expectFinite(*joint, "after longer steps");
+				}
+			}
+}
+
 INSTANTIATE_TEST_SUITE_P(Finite, Capacities, testing::Bool(),
 						 [](const testing::TestParamInfo<bool>& info) { return info.param ? "Fibres" : "Springs"; });
 }  // namespace

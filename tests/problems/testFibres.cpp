@@ -631,7 +631,7 @@ TEST(Fibres, AreSavedAndPutBackWithTheState)
 	wrong.m_fibres.pop_back();
 	EXPECT_FALSE(held.m_joint->setState(wrong));
 	wrong = state;
-	wrong.m_fibres[3].m_force = btScalar(NP);
+	wrong.m_fibres[3].m_force = btScalar(65 * NP);
 	EXPECT_FALSE(held.m_joint->setState(wrong));
 	wrong = state;
 	wrong.m_fibres[3].m_offset = btScalar(NAN);

@@ -523,7 +523,7 @@ TEST(HardInput, StatesThatCannotBe)
 		for (btScalar x : {NOT_A_NUMBER, INFINITE, -INFINITE})
 			changes.push_back([&set, x](State s) { set(s, x); });
 	changes.push_back([](State s) { s.m_force[1] = btScalar(1e12); });
-	changes.push_back([](State s) { s.m_force[1] = -801; });
+	changes.push_back([](State s) { s.m_force[1] = -6401; });
 	changes.push_back([](State s) { s.m_plasticPath[0] = -1; });
 	changes.push_back([](State s) { s.m_plasticEnergy = -1; });
 	changes.push_back([](State s) { s.m_lastStep = -1; });
@@ -561,6 +561,35 @@ TEST(HardInput, StatesThatCannotBe)
 	}
 	EXPECT_TRUE(joint->setState(before));
 	EXPECT_EQ(int(changes.size()), refusals.m_count);
+}
+
+TEST(HardInput, ACapacityIsTakenOnceWhatItWasRefusedForIsMended)
+{
+	for (const Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+		for (const bool hadAnother : {false, true})
+		{
+			Refusals refusals;
+			Pair pair(solver, 0, 12, btVector3(0, -10, 0));
+			pair.m_world.action().setListener(&refusals);
+			btElasticPlasticCapacity axialOnly;
+			axialOnly.set(BT_EP_AXIAL, btScalar(1e6), btScalar(1e4));
+			btElasticPlasticJoint* joint = pair.join(hadAnother ? axialOnly : btElasticPlasticCapacity());
+			pair.m_world.bullet().removeRigidBody(pair.m_b);
+			pair.m_b->setMassProps(0, btVector3(0, 0, 0));
+			pair.m_world.bullet().addRigidBody(pair.m_b);
+			EXPECT_FALSE(joint->setCapacity(evenCapacity(1e6, 1e4)));
+			EXPECT_EQ(1, refusals.m_count);
+			btVector3 inertia;
+			pair.m_b->getCollisionShape()->calculateLocalInertia(12, inertia);
+			pair.m_world.bullet().removeRigidBody(pair.m_b);
+			pair.m_b->setMassProps(12, inertia);
+			pair.m_b->updateInertiaTensor();
+			pair.m_world.bullet().addRigidBody(pair.m_b);
+			ASSERT_TRUE(pair.m_world.action().addJoint(joint));
+			run(pair.m_world, 60);
+			EXPECT_EQ(6, joint->getNumCommittedRows());
+			EXPECT_NEAR(0, double(pair.m_b->getCenterOfMassPosition().y()), 1e-3) << "it falls";
+		}
 }
 
 /// A support and six cubes in a row; the last one is spoilt.

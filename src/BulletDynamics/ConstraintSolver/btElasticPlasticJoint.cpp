@@ -47,10 +47,7 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 			m_works->tellFaultOnce();
 		return false;
 	}
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		if (capacity.isElasticPlastic(i))
-			releaseBase(i);
-	model.takeCapacity(former);
+	m_works->takeCapacity(former);
 	if (isOther)
 		m_works->wakeBodies();
 	return true;

@@ -386,19 +386,25 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 	double shear[2] = {}, turned[2] = {};
 	for (int s = 0; s < 2; ++s)
 		if (m_shearRow[s] >= 0)
-			shear[s] = double(shears[s]->m_impulse) / double(m_dt);
+		{
+			const DofState state = stateOfShear(s, trial);
+			shear[s] = double(state.springForce(state.withinYield(shears[s]->m_impulse / m_dt)));
+		}
 	for (int i = 0; i < m_rows.size(); ++i)
 	{
-		const double force = double(m_solution[i].m_impulse) / double(m_dt);
+		const DofState state = stateOf(i, trial);
+		const btScalar total = btMax(-m_strength[i].m_compression,
+									 btMin(m_strength[i].m_tension, btScalar(m_solution[i].m_impulse) / m_dt));
+		const double force = double(state.springForce(total));
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
-		double beyond = stateOf(i, trial).m_strain - force / double(fibre.m_stiffness);
+		double beyond = double(state.m_strain) - force / double(fibre.m_stiffness);
 		for (int s = 0; s < 2; ++s)
 		{
 			beyond -= couplingOf(i, s) * shear[s];
 			turned[s] += couplingOf(i, s) * force;
 		}
 		const bool opens = m_strength[i].m_tension == 0 && beyond > 0;
-		m_mapped[i] = {force, force, opens ? beyond : 0, opens ? 0 : beyond, 0};
+		m_mapped[i] = {force, double(total), opens ? beyond : 0, opens ? 0 : beyond, 0};
 	}
 	outcome.m_isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
 	for (int s = 0; s < 2; ++s)

@@ -125,15 +125,20 @@ btElasticPlasticFault JointModel::findStepFault() const
 
 namespace
 {
-/// A bound on what may be rounded to either side of it, over the bound.
-const btScalar ROUNDED = 1 + 8 * SIMD_EPSILON;
+/// A state's force over what the joint bears, at most: more is nonsense. Where a mean force at yield follows one at yield to the other
+/// side, a spring is strained for a step to five times its yield value, and to some ten times where the material damps. Of a joint that
+/// has been heated or weakened, what is beyond its strength flows off in the next step.
+const btScalar MOST_OVER_YIELD = 64;
 
 bool isRotation(const btQuaternion& q)
 {
 	return btElasticPlasticIsFinite(q.length2()) && btFabs(q.length2() - 1) < FRAME_TOLERANCE;
 }
 
-btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
+const char* const WITHIN_YIELD = "within 64 times the joint's yield value (0 where it is not elastic-plastic)";
+const char* const KEPT = "finite and at most 1e37 in float, 1e250 in double";
+
+btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 {
 	const struct
 	{
@@ -155,22 +160,37 @@ btElasticPlasticFault findNotFinite(const btElasticPlasticState& state)
 		{"the state's strain of fibres", state.m_fibreStrain, 3}};
 	for (const auto& array : arrays)
 		for (int i = 0; i < array.m_count; ++i)
-			if (!btElasticPlasticIsFinite(double(array.m_values[i])))
-				return btElasticPlasticFault(array.m_name, array.m_values[i], "finite", i);
+			if (!canBeKept(array.m_values[i]))
+				return btElasticPlasticFault(array.m_name, array.m_values[i], KEPT, i);
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 	{
 		const btElasticPlasticFibreState& fibre = state.m_fibres[i];
 		for (const btScalar value : {fibre.m_force, fibre.m_forceRate, fibre.m_offset, fibre.m_damage, fibre.m_path,
 									 fibre.m_rate, fibre.m_rateShare})
-			if (!btElasticPlasticIsFinite(double(value)))
-				return btElasticPlasticFault("a number of one of the state's fibres", value, "finite");
+			if (!canBeKept(value))
+				return btElasticPlasticFault("a number of one of the state's fibres", value, KEPT);
 	}
-	if (!btElasticPlasticIsFinite(state.m_storedEnergy) || !btElasticPlasticIsFinite(state.m_placeEnergy))
-		return btElasticPlasticFault("the state's stored energy [J]",
-									 btScalar(state.m_storedEnergy + state.m_placeEnergy), "finite");
-	if (!btElasticPlasticIsFinite(state.m_work))
-		return btElasticPlasticFault("the state's work [J]", btScalar(state.m_work), "finite");
+	const struct
+	{
+		const char* m_name;
+		double m_value;
+	} energies[] = {{"the state's work [J]", state.m_work},
+					{"the state's plastic energy [J]", state.m_plasticEnergy},
+					{"the state's damping energy [J]", state.m_dampingEnergy},
+					{"the state's stored energy [J]", state.m_storedEnergy},
+					{"the state's energy of places [J]", state.m_placeEnergy}};
+	for (const auto& energy : energies)
+		if (!btElasticPlasticIsFinite(energy.m_value))
+			return btElasticPlasticFault(energy.m_name, btScalar(energy.m_value), "finite");
 	return btElasticPlasticFault();
+}
+
+unsigned dofsOf(const btElasticPlasticCapacity& capacity)
+{
+	unsigned dofs = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		dofs |= capacity.isElasticPlastic(i) ? 1u << i : 0;
+	return dofs;
 }
 }  // namespace
 
@@ -180,32 +200,52 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 	for (const btQuaternion* rotation : rotations)
 		if (!isRotation(*rotation))
 			return btElasticPlasticFault("length of one of the state's rotations", rotation->length(), "1");
-	if (const btElasticPlasticFault fault = findNotFinite(state))
+	if (const btElasticPlasticFault fault = findNumberFault(state))
+		return fault;
+	if (const btElasticPlasticFault fault = findFibreFault(state))
 		return fault;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
-		// A force on the yield value may be rounded to either side of it. That of fibres is seen with them.
-		// Where a mean force at yield follows one at yield to the other side, a spring is strained for a step to five times its yield
-		// value, and somewhat more where the material damps.
-		const btScalar most = isElasticPlastic(i)
-								  ? m_capacity.m_yield[i] * (m_isByMode || m_capacity.m_damping > 0 ? 8 : ROUNDED)
-								  : btScalar(0);
-		if (btFabs(state.m_force[i]) > most && !isOfFibres(i))
-			return btElasticPlasticFault("the state's force", state.m_force[i],
-										 "within the joint's yield value (0 where it is not elastic-plastic)", i);
+		const btScalar most = mostForce(state, i);
+		if (btFabs(state.m_force[i]) > most)
+			return btElasticPlasticFault("the state's force", state.m_force[i], WITHIN_YIELD, i);
+		for (const btScalar* branch : state.m_branch)
+			if (btFabs(branch[i]) > most)
+				return btElasticPlasticFault("the state's damping force", branch[i], WITHIN_YIELD, i);
 		if (state.m_plasticPath[i] < 0)
 			return btElasticPlasticFault("the state's plastic path", state.m_plasticPath[i], "not negative", i);
 	}
-	if (const btElasticPlasticFault fault = findFibreFault(state))
-		return fault;
-	if (!btElasticPlasticIsFinite(state.m_plasticEnergy) || state.m_plasticEnergy < 0)
-		return btElasticPlasticFault("the state's plastic energy [J]", btScalar(state.m_plasticEnergy),
-									 "finite and not negative");
-	if (!btElasticPlasticIsFinite(state.m_dampingEnergy) || state.m_dampingEnergy < 0)
-		return btElasticPlasticFault("the state's damping energy [J]", btScalar(state.m_dampingEnergy),
-									 "finite and not negative");
+	if (state.m_plasticEnergy < 0)
+		return btElasticPlasticFault("the state's plastic energy [J]", btScalar(state.m_plasticEnergy), "not negative");
+	if (state.m_dampingEnergy < 0)
+		return btElasticPlasticFault("the state's damping energy [J]", btScalar(state.m_dampingEnergy), "not negative");
 	const btElasticPlasticFault fault = btElasticPlasticCheckNotNegative("the state's last step [s]", state.m_lastStep);
 	return fault ? fault : btElasticPlasticCheckNotNegative("the state's withheld step [s]", state.m_withheldStep);
+}
+
+btScalar JointModel::mostForce(const btElasticPlasticState& state, int dof) const
+{
+	if (!isElasticPlastic(dof))
+		return 0;
+	if (!isOfFibres(dof))
+		return MOST_OVER_YIELD * m_capacity.m_yield[dof];
+	btScalar sum = 0;
+	for (int i = 0; i < state.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
+		const btScalar arm = dof == BT_EP_AXIAL ? btScalar(1) : dof == BT_EP_BENDING_Y ? fibre.m_z : fibre.m_y;
+		sum += btFabs(arm) * mostForce(state.m_fibres[i], fibre);
+	}
+	return sum;
+}
+
+/// Where a section damps, one that cracks at little tension is unloaded by as much as it has been pressed by.
+btScalar JointModel::mostForce(const btElasticPlasticFibreState& state, const btElasticPlasticFibre& fibre) const
+{
+	btScalar hardened = 1;
+	for (int i = 0; i < fibre.m_numPoints; ++i)
+		btSetMax(hardened, m_capacity.m_curvePoints[fibre.m_firstPoint + i].m_factor);
+	return MOST_OVER_YIELD * btMax(fibre.m_tension, fibre.m_compression) * hardened * (1 + state.m_rateShare);
 }
 
 btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& state) const
@@ -217,16 +257,12 @@ btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& st
 	{
 		const btElasticPlasticFibreState& own = state.m_fibres[i];
 		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
-		btScalar factor = ROUNDED;
-		for (int j = 0; j < fibre.m_numPoints; ++j)
-			btSetMax(factor, m_capacity.m_curvePoints[fibre.m_firstPoint + j].m_factor * ROUNDED);
 		if (own.m_rateShare < 0)
 			return btElasticPlasticFault("share by which one of the state's fibres is stronger than at rest",
 										 own.m_rateShare, "not negative");
-		factor *= 1 + own.m_rateShare;
-		if (own.m_force > fibre.m_tension * factor || -own.m_force > fibre.m_compression * factor)
+		if (btFabs(own.m_force) > mostForce(own, fibre))
 			return btElasticPlasticFault("force of one of the state's fibres [N]", own.m_force,
-										 "within the fibre's tension and compression");
+										 "within 64 times the fibre's tension or compression");
 		if (own.m_damage < 0)
 			return btElasticPlasticFault("damage of one of the state's fibres", own.m_damage, "not negative");
 		if (own.m_path < 0)
@@ -235,14 +271,17 @@ btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& st
 	return btElasticPlasticFault();
 }
 
+bool JointModel::hasTakenCapacity() const
+{
+	return m_dofs == dofsOf(m_capacity) && m_state.m_fibres.size() == m_capacity.m_fibres.size();
+}
+
 void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
 {
 	const unsigned before = m_dofs;
-	m_dofs = 0;
+	m_dofs = dofsOf(m_capacity);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		if (m_capacity.isElasticPlastic(i))
-			m_dofs |= 1u << i;
-		else
+		if (!isElasticPlastic(i))
 			m_state.forget(i);
 	takeFibres(former);
 	if (m_hasReference)
@@ -292,6 +331,7 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 {
 	double held = 0;
 	btScalar change[BT_EP_DOF_COUNT] = {};
+	bool areDeformations = true;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
 		held += 0.5 * double(m_state.m_force[i]) * double(elasticDeformation(before, i));
@@ -304,10 +344,17 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 		// A force beyond a lower yield value flows off in the next step.
 		change[i] = elasticDeformation(before, i) - elasticDeformation(i);
 		m_state.m_forceRate[i] = 0;
+		areDeformations &= isDeformation(change[i]);
+	}
+	if (!areDeformations)
+	{
+		// No spring so soft holds so great a force.
+		setReferenceToCurrentPose();
+		return;
 	}
 	const double springs = springEnergy();
 	if (m_state.m_storedEnergy > 0 && held > 0)
-		m_state.m_storedEnergy *= springs / held;
+		m_state.m_storedEnergy = fmin(m_state.m_storedEnergy / held, 1) * springs;
 	m_state.m_placeEnergy = -1;
 	moveReference(change);
 }

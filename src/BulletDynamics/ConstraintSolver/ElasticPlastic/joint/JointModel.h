@@ -12,6 +12,12 @@
 
 namespace btElasticPlastic
 {
+/// Whether a number other than an energy may be in a state: arithmetic with it stays finite.
+inline bool canBeKept(btScalar value)
+{
+	return btElasticPlasticIsFinite(double(value)) && btFabs(value) <= btElasticPlasticCapacity::greatestYield();
+}
+
 /// A joint between steps: its two bodies and frames, its capacity, and its state.
 struct JointModel
 {
@@ -62,6 +68,9 @@ struct JointModel
 	/// until now take the present pose for their reference.
 	/// \param former  the capacity before
 	void takeCapacity(const btElasticPlasticCapacity& former);
+
+	/// \return false if m_capacity has been refused, and its degrees of freedom or fibres are not those that are elastic-plastic
+	bool hasTakenCapacity() const;
 
 	/// Makes the bodies' present pose the one without force, keeping plastic deformation as it is counted.
 	void setReferenceToCurrentPose();
@@ -187,6 +196,8 @@ private:
 		return btElasticPlasticCapacity::isOfFibres(dof) && capacity.hasFibres() && m_state.m_fibres.size() > 0;
 	}
 	btScalar fibreDamage() const;
+	btScalar mostForce(const btElasticPlasticState& state, int dof) const;
+	btScalar mostForce(const btElasticPlasticFibreState& state, const btElasticPlasticFibre& fibre) const;
 	btElasticPlasticFault findFibreFault(const btElasticPlasticState& state) const;
 };
 }  // namespace btElasticPlastic

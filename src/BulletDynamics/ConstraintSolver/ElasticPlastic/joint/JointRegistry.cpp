@@ -79,6 +79,9 @@ bool JointRegistry::add(JointWorks& joint)
 		joint.tellFault(this);
 		return false;
 	}
+	// What a capacity was refused for may be mended.
+	if (!joint.m_model.hasTakenCapacity())
+		joint.takeCapacity(joint.m_model.m_capacity);
 	if (joint.m_entry.m_registry == this)
 		return true;
 	if (joint.m_entry.m_registry)

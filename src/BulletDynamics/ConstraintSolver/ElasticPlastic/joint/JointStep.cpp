@@ -337,6 +337,14 @@ void JointStep::returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) cons
 		mapped[pair[i]] = both[i];
 }
 
+/// The spring's force after a search that has been cut, within the bound what it makes with the branches by which the material damps.
+btScalar JointStep::cutForce(const Row& row) const
+{
+	const DofState s = dofState(row.m_dof);
+	const btScalar force = s.withinYield(row.m_impulse / m_dt);
+	return m_model.m_capacity.isRigidPlastic(row.m_dof) ? force : s.springForce(force);
+}
+
 /// What a search that has been cut leaves: a force that is less than the deformation's. The deformation beyond it is plastic where the
 /// row flows, with this force's work; elsewhere it is given up, so that no energy is stored that nobody has given.
 ReturnMapping JointStep::mapCut(int r) const
@@ -344,21 +352,21 @@ ReturnMapping JointStep::mapCut(int r) const
 	const Row& row = m_row[r];
 	const RowOutcome outcome = outcomeOf(r);
 	ReturnMapping mapped;
-	mapped.m_force = row.m_impulse / m_dt;
+	mapped.m_force = cutForce(row);
 	btScalar beyond = outcome.m_trial;
 	if (!m_model.m_capacity.isRigidPlastic(row.m_dof))
 		beyond -= mapped.m_force / m_model.m_capacity.m_stiffness[row.m_dof];
 	if (row.m_partner >= 0)
-		beyond -= row.m_coupling * m_row[row.m_partner].m_impulse / m_dt;
+		beyond -= row.m_coupling * cutForce(m_row[row.m_partner]);
 	const bool flows = outcome.m_bound != 0 && beyond * mapped.m_force > 0;
 	mapped.m_increment = flows ? beyond : btScalar(0);
 	mapped.m_unloaded = flows || m_model.m_capacity.isRigidPlastic(row.m_dof) ? btScalar(0) : beyond;
 	return mapped;
 }
 
-/// Flow that a search which has been cut leaves is plastic as far as the bodies have given for it, beyond what the springs have gained.
-/// The rest is given up.
-/// \param given  by the bodies in this step [J]
+/// Flow that a search which has been cut leaves is plastic as far as the bodies have given for it, beyond what the springs hold. The rest
+/// is given up.
+/// \param given  by the bodies since the joint was new, less what has been dissipated [J]
 void JointStep::limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const
 {
 	double flow = 0;
@@ -370,8 +378,7 @@ void JointStep::limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) c
 		if (m_model.m_capacity.isRigidPlastic(i))
 			continue;
 		const btScalar elastic = outcomeOf(r).m_trial - m.m_increment - m.m_unloaded;
-		given -= 0.5 * (double(m.m_force) * double(elastic) -
-						double(m_model.m_state.m_force[i]) * double(m_model.elasticDeformation(i)));
+		given -= 0.5 * double(m.m_force) * double(elastic);
 	}
 	const double most = fmax(given, 0);
 	if (!(flow > most))
@@ -469,18 +476,23 @@ void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) co
 /// \param work  taken from the bodies since the joint was new
 bool JointStep::isUsable(double work) const
 {
-	double sum = work;
+	bool isUsable = btElasticPlasticIsFinite(work);
 	for (int r = 0; r < m_numRows; ++r)
 	{
-		if (!isDeformation(outcomeOf(r).m_trial))
-			return false;
 		const int dof = m_row[r].m_dof;
 		// The force at the end of the step, its rate, and the energy of its flow are not above these.
 		const double spring = double(m_model.m_capacity.m_stiffness[dof]) * fabs(double(outcomeOf(r).m_trial));
 		const double force = double(m_row[r].m_impulse / m_dt) + btMin(double(m_model.m_capacity.m_yield[dof]), spring);
-		sum += double(btScalar(force / double(m_dt))) + (m_hasRecovery ? double(m_recovery[dof]) : 0);
+		isUsable &= isDeformation(outcomeOf(r).m_trial) && canBeKept(btScalar(force / double(m_dt))) &&
+					(!m_hasRecovery || isDeformation(m_recovery[dof]));
 	}
-	return btElasticPlasticIsFinite(sum);
+	for (const btRigidBody* body : {&m_model.bodyA(), &m_model.bodyB()})
+	{
+		const btVector3 force = forceBesideWeight(*body), torque = body->getTotalTorque();
+		for (int k = 0; k < 3; ++k)
+			isUsable &= canBeKept(force[k]) && canBeKept(torque[k]);
+	}
+	return isUsable;
 }
 
 /// Elastic deformation of the r-th row by forces of its joint, coupled as in this step.
@@ -652,7 +664,7 @@ int JointStep::commit(double share, bool isNew)
 		flowed = fibres.m_flowed;
 	}
 	else if (isCut)
-		limitFlow(work - state.m_work, mappedRows);
+		limitFlow(work - m_model.dissipatedEnergy(), mappedRows);
 	const btScalar borne = shareUntilBreak(mappedRows);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
@@ -676,6 +688,7 @@ int JointStep::commit(double share, bool isNew)
 		state.m_plasticEnergy += force * fabs(double(increment[i]));
 		flowed = true;
 	}
+	const double dampedBefore = state.m_dampingEnergy;
 	damp(change, fibres);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		state.m_withheld[i] = m_withheld[i];
@@ -693,6 +706,10 @@ int JointStep::commit(double share, bool isNew)
 	}
 	state.m_solvedExactly = m_row[0].m_isBoundKnown;
 	state.m_work = work;
+	// Springs that a cut search has let go of, or has strained, move their branches as no deformation has done.
+	if (isCut)
+		state.m_dampingEnergy =
+			fmax(fmin(state.m_dampingEnergy, work - state.m_plasticEnergy - m_model.springEnergy()), dampedBefore);
 	if (state.m_solvedExactly)
 	{
 		double power = 0;

@@ -185,6 +185,7 @@ private:
 	RowOutcome outcomeOf(int r) const;
 	ReturnMapping returnMap(int r) const;
 	void returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
+	btScalar cutForce(const Row& row) const;
 	ReturnMapping mapCut(int r) const;
 	void limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;

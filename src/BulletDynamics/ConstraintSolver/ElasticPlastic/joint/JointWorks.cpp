@@ -56,6 +56,14 @@ void JointWorks::setFault(const btElasticPlasticFault& fault)
 	m_isFaultTold = !fault;
 }
 
+void JointWorks::takeCapacity(const btElasticPlasticCapacity& former)
+{
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (m_model.m_capacity.isElasticPlastic(i))
+			m_joint.releaseBase(i);
+	m_model.takeCapacity(former);
+}
+
 void JointWorks::tellFault(JointRegistry* registry)
 {
 	m_isFaultTold = true;

@@ -171,6 +171,10 @@ public:
 
 	void setFault(const btElasticPlasticFault& fault);
 
+	/// Of a joint without a fault: makes the model's capacity hold.
+	/// \param former  the capacity before
+	void takeCapacity(const btElasticPlasticCapacity& former);
+
 	/// Forgets what kept the joint out of the last step.
 	void forgetStepFault() { m_stepFault = btElasticPlasticFault(); }
 

@@ -190,6 +190,7 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 	image.m_isByMode = model.m_isByMode;
 	image.m_hasReference = model.m_hasReference;
 	image.m_isEnabled = model.m_constraint.isEnabled();
+	image.m_isRefused = model.m_fault && !model.hasTakenCapacity();
 	std::copy_n(joint.m_step.getLastBounds(), int(BT_EP_DOF_COUNT), image.m_lastBounds);
 	image.m_lastFibreBounds = joint.m_step.getLastFibreBounds();
 	image.m_numUncommitted = joint.getNumUncommitted();
@@ -565,6 +566,9 @@ void Snapshot::writeRegistry(const WorldImage& image)
 		// Which may be told from the bodies.
 		if (hasBodies(joint))
 			joint.setFault(joint.m_model.findFault());
+		if (from.m_isRefused && !joint.m_model.m_fault)
+			joint.setFault(
+				btElasticPlasticFault("number of capacities since one was refused", 0, "1: call setCapacity"));
 	}
 	for (const EventImage& from : image.m_events)
 	{

@@ -156,6 +156,7 @@ struct JointImage
 	btScalar m_levels[BT_EP_QUANTITY_COUNT] = {};
 	unsigned m_dofs = 0;
 	bool m_isPaper = false, m_isByMode = false, m_hasReference = false, m_isEnabled = true;
+	bool m_isRefused = false;  ///< its capacity: what is wrong with it may not be told from its numbers
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};
 	std::vector<signed char> m_lastFibreBounds;
 	int m_numUncommitted = 0, m_nextRequest = 0;
@@ -177,6 +178,7 @@ void transfer(Archive& archive, JointImage& image)
 	archive(image.m_isByMode);
 	archive(image.m_hasReference);
 	archive(image.m_isEnabled);
+	archive(image.m_isRefused);
 	transfer(archive, image.m_lastBounds);
 	transferNumbers(archive, image.m_lastFibreBounds);
 	archive(image.m_numUncommitted);
