@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -240,11 +243,30 @@ TEST(SectionFibres, NumbersThatNoFibreCanHave)
 	ASSERT_FALSE(good.fault());
 	const btScalar tiny = btElasticPlasticCapacity::leastStiffness() / 2,
 				   huge = 2 * btElasticPlasticCapacity::greatestYield();
-	btElasticPlasticCapacity soft = good, strong = good, hard = good;
-	soft.m_fibres[3].m_stiffness = tiny;
-	strong.m_fibres[3].m_tension = huge;
-	hard.m_fibres[3].m_compression = huge;
-	for (const btElasticPlasticCapacity* bad : {&soft, &strong, &hard})
-		EXPECT_TRUE(bad->fault());
+	const std::function<void(btElasticPlasticCapacity&)> spoils[] = {
+		[&](btElasticPlasticCapacity& c) { c.m_fibres[3].m_stiffness = tiny; },
+		[&](btElasticPlasticCapacity& c) { c.m_fibres[3].m_stiffness = btScalar(1e25); },
+		[&](btElasticPlasticCapacity& c) { c.m_fibres[3].m_tension = huge; },
+		[&](btElasticPlasticCapacity& c) { c.m_fibres[3].m_compression = huge; },
+		[&](btElasticPlasticCapacity& c) { c.m_fibres[3].m_y = btScalar(1e7); },
+		[&](btElasticPlasticCapacity& c) { c.m_fibres[3].m_z = btScalar(-1e30); },
+		[&](btElasticPlasticCapacity& c) { c.m_fibres[3].m_twist[1] = btScalar(1e30); },
+		[&](btElasticPlasticCapacity& c) { c.m_length = btScalar(1e7); },
+		[&](btElasticPlasticCapacity& c) { c.m_stiffness[BT_EP_SHEAR_Z] = btScalar(1e30); },
+		[&](btElasticPlasticCapacity& c) { c.m_curvePoints[1].m_factor = huge; },
+		// A jump.
+		[&](btElasticPlasticCapacity& c) {
+			c.m_curvePoints[0] = {std::numeric_limits<btScalar>::denorm_min(), btScalar(1.5)};
+		}};
+	for (size_t i = 0; i < std::size(spoils); ++i)
+	{
+		btElasticPlasticCapacity bad = good;
+		bad.m_curvePoints.push_back({btScalar(0.01), btScalar(1.1)});
+		bad.m_curvePoints.push_back({btScalar(0.02), btScalar(1.2)});
+		bad.m_fibres[3].m_numPoints = 2;
+		EXPECT_FALSE(bad.fault());
+		spoils[i](bad);
+		EXPECT_TRUE(bad.fault()) << i;
+	}
 }
 }  // namespace

@@ -191,6 +191,23 @@ bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) c
 	return isSame;
 }
 
+namespace
+{
+/// Products of two are numbers yet, in float with arms of fibres.
+const btScalar MOST_COUPLED_STIFFNESS = btScalar(1e24);
+const char* const LENGTH = "finite, from -1e6 to 1e6";
+
+bool isStrength(double value)
+{
+	return btElasticPlasticIsFinite(value) && value <= double(btElasticPlasticCapacity::greatestYield());
+}
+
+bool isLength(btScalar value)
+{
+	return btElasticPlasticIsFinite(double(value)) && btFabs(value) <= btElasticPlasticCapacity::greatestLength();
+}
+}  // namespace
+
 btElasticPlasticFault btElasticPlasticCapacity::fault() const
 {
 	if (m_fault)
@@ -217,10 +234,17 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 				"greater than 0 where there is a yield value, at least 1e-20 (or rigid-plastic, by setRigidPlastic)",
 				i);
 	}
+	const bool isCoupled = hasFibres() || m_coupling[0] != 0 || m_coupling[1] != 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT && isCoupled; ++i)
+		if (m_stiffness[i] > MOST_COUPLED_STIFFNESS)
+			return btElasticPlasticFault(i < 3 ? "stiffness [N/m]" : "stiffness [N m/rad]", m_stiffness[i],
+										 "at most 1e24 where springs are coupled or a section has fibres", i);
 	if (btElasticPlasticFault f = faultOfFibres())
 		return f;
 	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("length that bows [m]", m_length))
 		return f;
+	if (m_length > greatestLength())
+		return btElasticPlasticFault("length that bows [m]", m_length, "at most 1e6");
 	if (btElasticPlasticFault f = btElasticPlasticCheckDampingRatio(m_damping))
 		return f;
 	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z; ++i)
@@ -239,13 +263,13 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 	for (int i = 0; i < m_fibres.size(); ++i)
 	{
 		const btElasticPlasticFibre& fibre = m_fibres[i];
-		const double place = double(fibre.m_y) + double(fibre.m_z);
-		if (!btElasticPlasticIsFinite(place))
-			return btElasticPlasticFault("place of a fibre, y + z [m]", btScalar(place), "finite");
+		for (const btScalar place : {fibre.m_y, fibre.m_z})
+			if (!isLength(place))
+				return btElasticPlasticFault("place of a fibre, y or z [m]", place, LENGTH);
 		if (btElasticPlasticFault f = btElasticPlasticCheckPositive("stiffness of a fibre [N/m]", fibre.m_stiffness))
 			return f;
-		if (!(fibre.m_stiffness >= leastStiffness()))
-			return btElasticPlasticFault("stiffness of a fibre [N/m]", fibre.m_stiffness, "at least 1e-20");
+		if (!(fibre.m_stiffness >= leastStiffness()) || fibre.m_stiffness > MOST_COUPLED_STIFFNESS)
+			return btElasticPlasticFault("stiffness of a fibre [N/m]", fibre.m_stiffness, "1e-20 to 1e24");
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckNotNegative("strength of a fibre in tension [N]", fibre.m_tension))
 			return f;
@@ -272,8 +296,8 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 		if (!btElasticPlasticIsFinite(double(fibre.m_rateExponent)) || !(fibre.m_rateExponent >= 1))
 			return btElasticPlasticFault("exponent of a fibre's rate", fibre.m_rateExponent, "finite, at least 1");
 		for (const btScalar number : {fibre.m_wall[0], fibre.m_wall[1], fibre.m_twist[0], fibre.m_twist[1]})
-			if (!btElasticPlasticIsFinite(double(number)))
-				return btElasticPlasticFault("direction in which a fibre is sheared", number, "finite");
+			if (!isLength(number))
+				return btElasticPlasticFault("direction in which a fibre is sheared", number, LENGTH);
 	}
 	return btElasticPlasticFault();
 }
@@ -283,16 +307,24 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfCurve(const btElasticPlas
 	if (fibre.m_numPoints < 0 || fibre.m_numPoints > m_curvePoints.size() || fibre.m_firstPoint < 0 ||
 		fibre.m_firstPoint > m_curvePoints.size() - fibre.m_numPoints)
 		return btElasticPlasticFault("point of a fibre's curve", btScalar(fibre.m_firstPoint), "one of m_curvePoints");
-	btScalar before = 0;
+	const btScalar strength = btMax(fibre.m_tension, fibre.m_compression);
+	btElasticPlasticCurvePoint before = {0, 1};
 	for (int i = fibre.m_firstPoint; i < fibre.m_firstPoint + fibre.m_numPoints; ++i)
 	{
 		const btElasticPlasticCurvePoint& point = m_curvePoints[i];
 		if (btElasticPlasticFault f = btElasticPlasticCheckPositive("factor of a fibre's strength", point.m_factor))
 			return f;
-		if (!btElasticPlasticIsFinite(double(point.m_path)) || !(point.m_path > before))
+		if (!isStrength(double(point.m_factor) * double(strength)))
+			return btElasticPlasticFault("factor of a fibre's strength", point.m_factor,
+										 "one by which the strength stays within greatestYield()");
+		const btScalar way = point.m_path - before.m_path;
+		if (!btElasticPlasticIsFinite(double(point.m_path)) || !(way > 0))
 			return btElasticPlasticFault("plastic path on a fibre's curve [m]", point.m_path,
 										 "finite and more than at the point before");
-		before = point.m_path;
+		if (!isStrength(double(btFabs(point.m_factor - before.m_factor) / way) * double(strength)))
+			return btElasticPlasticFault("plastic path on a fibre's curve [m]", point.m_path,
+										 "so long that the strength's slope stays within greatestYield()");
+		before = point;
 	}
 	return btElasticPlasticFault();
 }

@@ -25,8 +25,11 @@ struct btElasticPlasticCapacity
 	/// A yield value above this could make a plastic energy that is no number any more [N], [N m]: 1e37 in float, 1e250 in double.
 	static btScalar greatestYield() { return btScalar(sizeof(btScalar) == sizeof(float) ? 1e37 : 1e250); }
 
-	btScalar m_stiffness
-		[BT_EP_DOF_COUNT];  ///< [N/m], [N m/rad], finite, >= 0; a steel bar of 1 cm^2 and 1 m has 2e7 N/m. Of a rigid-plastic degree of freedom: not used
+	/// The arms of a section's fibres, and lengths, are shorter: stiffness times their square is a number yet [m].
+	static btScalar greatestLength() { return btScalar(1e6); }
+
+	/// [N/m], [N m/rad], finite, >= 0, at most 1e24 where springs are coupled or there are fibres; a steel bar of 1 cm^2 and 1 m has 2e7 N/m. Of a rigid-plastic degree of freedom: not used.
+	btScalar m_stiffness[BT_EP_DOF_COUNT];
 	btScalar m_yield[BT_EP_DOF_COUNT];      ///< force or moment at which it flows [N], [N m], 0 to greatestYield()
 	btScalar m_ductility[BT_EP_DOF_COUNT];  ///< plastic deformation at which the joint breaks [m], [rad], finite, > 0
 	/// Of shear y with bending z, and of shear z with bending y: the compliance between the two over the root of the product of
@@ -34,7 +37,7 @@ struct btElasticPlasticCapacity
 	/// in the middle of what is elastic (see fromMember()). 0: each springs by itself. Only between springs, and only in the
 	/// direct form of btElasticPlasticConstraintSolver: others leave it out.
 	btScalar m_coupling[2];
-	/// Length l of the member that bends between the bodies' centres [m], finite, >= 0. It bows: its ends come together by l / 12 times
+	/// Length l of the member that bends between the bodies' centres [m], 0 to greatestLength(). It bows: its ends come together by l / 12 times
 	/// the square of the elastic turn less than those of two straight parts, which counts where an axial force may buckle it. 0: it
 	/// does not.
 	btScalar m_length;

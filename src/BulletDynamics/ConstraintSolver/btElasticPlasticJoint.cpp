@@ -36,9 +36,9 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 {
 	btElasticPlastic::JointModel& model = m_works->m_model;
 	const bool isOther = model.m_fault || !capacity.isSameAs(model.m_capacity);
-	// A capacity that was refused has never held.
-	const btElasticPlasticCapacity former = model.m_fault ? capacity : model.m_capacity;
-	model.m_capacity = capacity;
+	model.m_refused = capacity.fault();
+	if (!model.m_refused)
+		model.takeCapacity(capacity);
 	m_works->setFault(model.findFault());
 	if (model.m_fault)
 	{
@@ -47,7 +47,7 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 			m_works->tellFaultOnce();
 		return false;
 	}
-	m_works->takeCapacity(former);
+	m_works->releaseBase();
 	if (isOther)
 		m_works->wakeBodies();
 	return true;

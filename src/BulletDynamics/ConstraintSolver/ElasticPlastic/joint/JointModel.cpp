@@ -85,8 +85,8 @@ btElasticPlasticFault findFrameFault(const btTransform& frame, bool isA)
 
 btElasticPlasticFault JointModel::findFault() const
 {
-	if (const btElasticPlasticFault fault = m_capacity.fault())
-		return fault;
+	if (m_refused)
+		return m_refused;
 	if (&bodyA() == &bodyB())
 		return btElasticPlasticFault("number of bodies", 1, "2: a body cannot be joined to itself");
 	if (bodyA().getInvMass() == 0 && bodyB().getInvMass() == 0)
@@ -184,14 +184,6 @@ btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 			return btElasticPlasticFault(energy.m_name, btScalar(energy.m_value), "finite");
 	return btElasticPlasticFault();
 }
-
-unsigned dofsOf(const btElasticPlasticCapacity& capacity)
-{
-	unsigned dofs = 0;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		dofs |= capacity.isElasticPlastic(i) ? 1u << i : 0;
-	return dofs;
-}
 }  // namespace
 
 btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& state) const
@@ -271,17 +263,16 @@ btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& st
 	return btElasticPlasticFault();
 }
 
-bool JointModel::hasTakenCapacity() const
+void JointModel::takeCapacity(const btElasticPlasticCapacity& capacity)
 {
-	return m_dofs == dofsOf(m_capacity) && m_state.m_fibres.size() == m_capacity.m_fibres.size();
-}
-
-void JointModel::takeCapacity(const btElasticPlasticCapacity& former)
-{
+	const btElasticPlasticCapacity former = m_capacity;
 	const unsigned before = m_dofs;
-	m_dofs = dofsOf(m_capacity);
+	m_capacity = capacity;
+	m_dofs = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		if (!isElasticPlastic(i))
+		if (m_capacity.isElasticPlastic(i))
+			m_dofs |= 1u << i;
+		else
 			m_state.forget(i);
 	takeFibres(former);
 	if (m_hasReference)

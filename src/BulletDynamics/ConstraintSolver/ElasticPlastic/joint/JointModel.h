@@ -27,8 +27,9 @@ struct JointModel
 	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
 	bool m_isPaper = false;
 	bool m_isByMode = false;
-	bool m_hasReference = false;  ///< has had a valid capacity
+	bool m_hasReference = false;  ///< has had a capacity
 	btElasticPlasticFault m_fault;
+	btElasticPlasticFault m_refused;  ///< of the capacity that was to take the place of m_capacity, and has not
 	btElasticPlasticState m_state;
 	btElasticPlasticCapacity m_capacity;
 
@@ -64,13 +65,9 @@ struct JointModel
 	/// \return a fault if a state cannot be one of this joint
 	btElasticPlasticFault findStateFault(const btElasticPlasticState& state) const;
 
-	/// Makes those degrees of freedom elastic-plastic that have a yield value in m_capacity. Those of them that were free
+	/// Makes those degrees of freedom elastic-plastic that have a yield value in a capacity without a fault. Those of them that were free
 	/// until now take the present pose for their reference.
-	/// \param former  the capacity before
-	void takeCapacity(const btElasticPlasticCapacity& former);
-
-	/// \return false if m_capacity has been refused, and its degrees of freedom or fibres are not those that are elastic-plastic
-	bool hasTakenCapacity() const;
+	void takeCapacity(const btElasticPlasticCapacity& capacity);
 
 	/// Makes the bodies' present pose the one without force, keeping plastic deformation as it is counted.
 	void setReferenceToCurrentPose();

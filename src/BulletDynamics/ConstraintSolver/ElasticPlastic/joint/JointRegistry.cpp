@@ -67,6 +67,7 @@ bool JointRegistry::isBroken(const JointWorks& joint)
 
 bool JointRegistry::add(JointWorks& joint)
 {
+	const bool wasRefused = bool(joint.m_model.m_fault);
 	const btElasticPlasticFault fault = joint.m_model.findFault(), missingWorld = joint.m_model.findMissingWorld();
 	joint.setFault(fault ? fault : missingWorld);
 	// Bullet's search for islands crashes on a constraint one of whose bodies has never been in the world.
@@ -79,9 +80,8 @@ bool JointRegistry::add(JointWorks& joint)
 		joint.tellFault(this);
 		return false;
 	}
-	// What a capacity was refused for may be mended.
-	if (!joint.m_model.hasTakenCapacity())
-		joint.takeCapacity(joint.m_model.m_capacity);
+	if (wasRefused)
+		joint.releaseBase();
 	if (joint.m_entry.m_registry == this)
 		return true;
 	if (joint.m_entry.m_registry)

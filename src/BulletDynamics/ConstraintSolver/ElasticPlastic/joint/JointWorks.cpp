@@ -56,12 +56,11 @@ void JointWorks::setFault(const btElasticPlasticFault& fault)
 	m_isFaultTold = !fault;
 }
 
-void JointWorks::takeCapacity(const btElasticPlasticCapacity& former)
+void JointWorks::releaseBase()
 {
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		if (m_model.m_capacity.isElasticPlastic(i))
+		if (m_model.isElasticPlastic(i))
 			m_joint.releaseBase(i);
-	m_model.takeCapacity(former);
 }
 
 void JointWorks::tellFault(JointRegistry* registry)

@@ -171,9 +171,8 @@ public:
 
 	void setFault(const btElasticPlasticFault& fault);
 
-	/// Of a joint without a fault: makes the model's capacity hold.
-	/// \param former  the capacity before
-	void takeCapacity(const btElasticPlasticCapacity& former);
+	/// Takes Bullet's own limits, motors and springs off what is elastic-plastic.
+	void releaseBase();
 
 	/// Forgets what kept the joint out of the last step.
 	void forgetStepFault() { m_stepFault = btElasticPlasticFault(); }

@@ -190,7 +190,7 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 	image.m_isByMode = model.m_isByMode;
 	image.m_hasReference = model.m_hasReference;
 	image.m_isEnabled = model.m_constraint.isEnabled();
-	image.m_isRefused = model.m_fault && !model.hasTakenCapacity();
+	image.m_isRefused = bool(model.m_refused);
 	std::copy_n(joint.m_step.getLastBounds(), int(BT_EP_DOF_COUNT), image.m_lastBounds);
 	image.m_lastFibreBounds = joint.m_step.getLastFibreBounds();
 	image.m_numUncommitted = joint.getNumUncommitted();
@@ -563,12 +563,14 @@ void Snapshot::writeRegistry(const WorldImage& image)
 		joint.m_step.setLastFibreBounds(from.m_lastFibreBounds);
 		joint.resume(from.m_numUncommitted, from.m_nextRequest);
 		joint.m_rhythm = {from.m_innerLevel, from.m_innerCalm, from.m_innerSpare};
+		if (!from.m_isRefused)
+			joint.m_model.m_refused = btElasticPlasticFault();
+		else if (!joint.m_model.m_refused)
+			joint.m_model.m_refused =
+				btElasticPlasticFault("number of valid capacities since one was refused", 0, "1: call setCapacity");
 		// Which may be told from the bodies.
 		if (hasBodies(joint))
 			joint.setFault(joint.m_model.findFault());
-		if (from.m_isRefused && !joint.m_model.m_fault)
-			joint.setFault(
-				btElasticPlasticFault("number of capacities since one was refused", 0, "1: call setCapacity"));
 	}
 	for (const EventImage& from : image.m_events)
 	{

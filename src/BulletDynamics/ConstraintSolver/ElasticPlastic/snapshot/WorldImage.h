@@ -156,7 +156,7 @@ struct JointImage
 	btScalar m_levels[BT_EP_QUANTITY_COUNT] = {};
 	unsigned m_dofs = 0;
 	bool m_isPaper = false, m_isByMode = false, m_hasReference = false, m_isEnabled = true;
-	bool m_isRefused = false;  ///< its capacity: what is wrong with it may not be told from its numbers
+	bool m_isRefused = false;  ///< a capacity that was to take the place of m_capacity
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};
 	std::vector<signed char> m_lastFibreBounds;
 	int m_numUncommitted = 0, m_nextRequest = 0;
