@@ -211,8 +211,16 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 		return btElasticPlasticFault("the state's plastic energy [J]", btScalar(state.m_plasticEnergy), "not negative");
 	if (state.m_dampingEnergy < 0)
 		return btElasticPlasticFault("the state's damping energy [J]", btScalar(state.m_dampingEnergy), "not negative");
-	const btElasticPlasticFault fault = btElasticPlasticCheckNotNegative("the state's last step [s]", state.m_lastStep);
-	return fault ? fault : btElasticPlasticCheckNotNegative("the state's withheld step [s]", state.m_withheldStep);
+	const struct
+	{
+		const char* m_name;
+		btScalar m_value;
+	} steps[] = {{"the state's last step [s]", state.m_lastStep},
+				 {"the state's withheld step [s]", state.m_withheldStep}};
+	for (const auto& step : steps)
+		if (!canBeKept(step.m_value) || step.m_value < 0)
+			return btElasticPlasticFault(step.m_name, step.m_value, "finite and not negative");
+	return btElasticPlasticFault();
 }
 
 btScalar JointModel::mostForce(const btElasticPlasticState& state, int dof) const
