@@ -364,12 +364,12 @@ ReturnMapping JointStep::mapCut(int r) const
 	return mapped;
 }
 
-/// Flow that a search which has been cut leaves is plastic as far as the bodies have given for it, beyond what the springs hold. The rest
-/// is given up.
-/// \param given  by the bodies since the joint was new, less what has been dissipated [J]
-void JointStep::limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const
+/// Flow that a search which has been cut leaves is plastic as far as the bodies have given for it, in this step beyond what the springs have
+/// gained, and in all beyond what they hold. The rest is given up.
+/// \param work  taken from the bodies since the joint was new [J]
+void JointStep::limitFlow(double work, ReturnMapping mapped[BT_EP_DOF_COUNT]) const
 {
-	double flow = 0;
+	double flow = 0, had = 0, holds = 0;
 	for (int r = 0; r < m_numRows; ++r)
 	{
 		const int i = m_row[r].m_dof;
@@ -378,9 +378,10 @@ void JointStep::limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) c
 		if (m_model.m_capacity.isRigidPlastic(i))
 			continue;
 		const btScalar elastic = outcomeOf(r).m_trial - m.m_increment - m.m_unloaded;
-		given -= 0.5 * double(m.m_force) * double(elastic);
+		had += 0.5 * double(m_model.m_state.m_force[i]) * double(m_model.elasticDeformation(i));
+		holds += 0.5 * double(m.m_force) * double(elastic);
 	}
-	const double most = fmax(given, 0);
+	const double most = fmax(fmin(work - m_model.m_state.m_work + had, work - m_model.dissipatedEnergy()) - holds, 0);
 	if (!(flow > most))
 		return;
 	const btScalar share = btScalar(most / flow);
@@ -664,7 +665,7 @@ int JointStep::commit(double share, bool isNew)
 		flowed = fibres.m_flowed;
 	}
 	else if (isCut)
-		limitFlow(work - m_model.dissipatedEnergy(), mappedRows);
+		limitFlow(work, mappedRows);
 	const btScalar borne = shareUntilBreak(mappedRows);
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{

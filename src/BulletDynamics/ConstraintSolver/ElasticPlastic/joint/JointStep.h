@@ -187,7 +187,7 @@ private:
 	void returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar cutForce(const Row& row) const;
 	ReturnMapping mapCut(int r) const;
-	void limitFlow(double given, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
+	void limitFlow(double work, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
 	void takeBackKinematicMotion();
 	int getNumPlainRows() const { return m_usesFibres ? m_numRows - 3 : m_numRows; }
