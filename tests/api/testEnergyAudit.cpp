@@ -3,6 +3,8 @@
 
 // Where energy goes, beside exact answers: each way by itself, and that the sum closes.
 
+#include <float.h>
+
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -76,7 +78,8 @@ TEST(EnergyAudit, ABoxThatFalls)
 	// By mean velocities the weight's work is what the box has: 10 m/s^2 for 0.5 s.
 	expectClose(0.5 * 3 * 25, b.m_gravity, byPrecision(1e-12, 1e-5));
 	expectClose(0.5 * 3 * 25, b.m_kinetic, byPrecision(1e-12, 1e-5));
-	EXPECT_EQ(b.getTaken(), 0);
+	// Of sums that -ffast-math adds in any order, 30 of up to 40 J.
+	EXPECT_NEAR(b.getTaken(), 0, 30 * 40 * DBL_EPSILON);
 	EXPECT_EQ(b.m_others, 0);
 	expectClosed(b, ROUNDING);
 }

@@ -27,10 +27,13 @@
 #define BT_UNROLL_NOT
 #endif
 
-// Clang's -ffast-math adds in another order in each width, and on one machine gives other results than on the next.
+// By -ffast-math sums are added in another order in each width, and on one machine give other results than on the next.
 #if defined(__clang__) && defined(__x86_64__)
 #pragma float_control(push)
 #pragma float_control(precise, on)
+#elif defined(__GNUC__) && defined(__FAST_MATH__)
+#pragma GCC push_options
+#pragma GCC optimize("no-fast-math")
 #endif
 
 namespace btElasticPlastic
@@ -149,4 +152,6 @@ const BlockKernel& BlockKernel::select(int maxWidth)
 
 #if defined(__clang__) && defined(__x86_64__)
 #pragma float_control(pop)
+#elif defined(__GNUC__) && defined(__FAST_MATH__)
+#pragma GCC pop_options
 #endif
