@@ -142,7 +142,7 @@ void expectToldNoMoreThanHad(const Method& method, double share)
 
 TEST(EnergyLedger, FreeStructuresOfTheDirectFormTellNoMoreThanTheyHad)
 {
-	// At most 1e-5 in these; of 80 000 runs with other seeds 3 are above 1e-3.
+	// At most 1e-5 in these; of 80 000 runs with other seeds 10 are above 1e-3.
 	expectToldNoMoreThanHad(withoutInnerSteps(), 1e-4);
 	// At most 3.4e-4: joints so stiff that they flow in the first of 32 inner steps.
 	expectToldNoMoreThanHad(Solver::Direct, 1e-3);

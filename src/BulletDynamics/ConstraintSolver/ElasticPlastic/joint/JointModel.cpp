@@ -588,15 +588,15 @@ double JointModel::springsAhead() const
 }
 
 /// Before the first step nothing is behind a joint, and its force begins as that of a leapfrog does: all that it takes until it unloads, its flow
-/// too, is half a step ahead, and may be further ahead after the second step. A step that is longer than the next leaves it ahead by more, which stays while the joint takes as much in a step
+/// too, is half a step ahead. A step that is longer than the next leaves it ahead by more, which stays while the joint takes as much in a step
 /// of the world. Under a load that stays it may never be given: that is halved from step to step.
-void JointModel::findOwed(double share, bool begins, double taken)
+void JointModel::findOwed(double share, bool isNew, double taken)
 {
-	if (m_isPaper || (!begins && m_state.m_storedEnergy >= 0))
+	if (m_isPaper || (!isNew && m_state.m_storedEnergy >= 0))
 		return;
 	const double ahead = fmax(springEnergy() + dissipatedEnergy() - m_state.m_work, 0), owed = -m_state.m_storedEnergy;
 	const double lasting = fmax(pow(0.5, share) * owed, fmin(owed, taken / share));
-	m_state.m_storedEnergy = -(begins ? ahead : fmin(ahead, fmax(lasting, 0.5 * taken)));
+	m_state.m_storedEnergy = -(isNew ? ahead : fmin(ahead, fmax(lasting, 0.5 * taken)));
 }
 
 double JointModel::springEnergy() const

@@ -104,9 +104,9 @@ struct JointModel
 
 	/// After a step that has been solved exactly: what bodies still owe for what the joint has taken before it first unloads.
 	/// \param share  of the world's step: 1, or less of an inner one
-	/// \param begins the joint has one of its first steps: its debt may grow
+	/// \param isNew  the joint has its first step of the world
 	/// \param taken  by its force along the way of the step, at the velocities of its end [J]
-	void findOwed(double share, bool begins, double taken);
+	void findOwed(double share, bool isNew, double taken);
 
 	/// By flow and by damping, whether it has been given for or not [J].
 	double dissipatedEnergy() const { return m_state.m_plasticEnergy + m_state.m_dampingEnergy; }

@@ -667,14 +667,6 @@ int JointStep::commit(double share, bool isNew)
 	else if (isCut)
 		limitFlow(work, mappedRows);
 	const btScalar borne = shareUntilBreak(mappedRows);
-	// The first steps of a joint: the mean force of two steps, by which bodies give, has not got under way.
-	bool begins = isNew;
-	if (!begins)
-	{
-		begins = true;
-		for (const btScalar force : state.m_appliedBefore)
-			begins &= force == 0;
-	}
 	for (int r = 0, rows = m_numRows; r < rows; ++r)
 	{
 		Row& row = m_row[r];
@@ -724,7 +716,7 @@ int JointStep::commit(double share, bool isNew)
 		double power = 0;
 		for (int r = 0, rows = m_numRows; r < rows; ++r)
 			power -= double(state.m_force[m_row[r].m_dof]) * double(m_row[r].m_velocity1);
-		m_model.findOwed(share, begins, m_dt * power);
+		m_model.findOwed(share, isNew, m_dt * power);
 	}
 	revert();
 	m_model.moveReference(unloaded);
