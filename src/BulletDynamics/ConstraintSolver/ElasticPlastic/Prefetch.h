@@ -8,23 +8,20 @@
 
 namespace btElasticPlastic
 {
-/// With more joints than this their data no longer fits the second level of a processor's cache.
-const int MANY_JOINTS = 400;
-
-/// The number of joints ahead of the present one whose data is prefetched.
+/// The number of joints ahead of the present one whose data is prefetched: those of a world do not fit the processor's cache, be they
+/// one structure's or many's.
 const int PREFETCH_AHEAD = 4;
 
-/// Has the processor load all of an object into its cache before it is used: the joints of a large structure do not fit there.
-template <class T>
-inline void prefetch(const T& object)
+/// Has the processor load what is between two places of an object into its cache before it is used.
+inline void prefetch(const void* from, const void* to)
 {
 #if defined(__GNUC__)
 	const size_t cacheLine = 64;
-	const char* const begin = reinterpret_cast<const char*>(&object);
-	for (size_t i = 0; i < sizeof object; i += cacheLine)
-		__builtin_prefetch(begin + i);
+	for (const char* line = static_cast<const char*>(from); line < to; line += cacheLine)
+		__builtin_prefetch(line);
 #else
-	(void)object;
+	(void)from;
+	(void)to;
 #endif
 }
 }  // namespace btElasticPlastic

@@ -9,7 +9,6 @@
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btHashMap.h"
 #include "LinearMath/btIDebugDraw.h"
-#include "../Prefetch.h"
 #include "JointWorks.h"
 
 namespace btElasticPlastic
@@ -362,12 +361,11 @@ void JointRegistry::limitEnergy(const btDynamicsWorld& world)
 
 void JointRegistry::commitJoints(const btDynamicsWorld& world)
 {
-	const bool isLarge = m_joints.getEnd() > MANY_JOINTS;
 	m_leftOut.resize(0);
 	for (int i = 0; i < m_joints.getEnd(); ++i)
 	{
-		if (isLarge && i + PREFETCH_AHEAD < m_joints.getEnd())
-			prefetch(*m_joints[i + PREFETCH_AHEAD].m_joint);
+		if (i + PREFETCH_AHEAD < m_joints.getEnd())
+			m_joints[i + PREFETCH_AHEAD].m_joint->prefetch();
 		JointWorks& joint = *m_joints[i].m_joint;
 		const bool wasInStep = joint.wasInStep();
 		leaveIfGone(world, joint);

@@ -131,6 +131,9 @@ public:
 	/// Remembers how the bodies stand at the end of the step.
 	void rememberPlace();
 
+	/// What a joint without fibres uses of the step ends here.
+	const void* getEndWithoutFibres() const { return &m_fibres; }
+
 	/// Forgets the step: the state stays as it was committed last.
 	void revert() { m_numRows = 0; }
 

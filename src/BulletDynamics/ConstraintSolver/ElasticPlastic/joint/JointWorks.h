@@ -4,6 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_JOINT_WORKS_H
 #define BT_ELASTIC_PLASTIC_JOINT_WORKS_H
 
+#include "../Prefetch.h"
 #include "EventQueue.h"
 #include "JointStep.h"
 #include "Levels.h"
@@ -54,6 +55,13 @@ public:
 	}
 	JointWorks(const JointWorks&) = delete;
 	JointWorks& operator=(const JointWorks&) = delete;
+
+	/// Has the processor load what a step uses of the joint.
+	void prefetch() const
+	{
+		btElasticPlastic::prefetch(this, m_step.getEndWithoutFibres());
+		btElasticPlastic::prefetch(&m_entry, this + 1);
+	}
 
 	/// Finds the works of a constraint without run-time type information. \return null if it is not elastic-plastic
 	static JointWorks* from(btTypedConstraint* constraint);

@@ -60,6 +60,8 @@ JointRegistry* beginJoints(const SolverGroup& island)
 	bool isOne = true;
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
+		if (i + PREFETCH_AHEAD < island.m_numConstraints && island.m_joints[i + PREFETCH_AHEAD])
+			island.m_joints[i + PREFETCH_AHEAD]->prefetch();
 		JointWorks* const joint = island.m_joints[i];
 		if (!joint)
 			continue;

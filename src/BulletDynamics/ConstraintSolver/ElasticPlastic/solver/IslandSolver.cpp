@@ -3,7 +3,6 @@
 
 #include "IslandSolver.h"
 
-#include "../Prefetch.h"
 #include "../joint/BodyGate.h"
 #include "../linear/ScopedTimer.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
@@ -131,11 +130,10 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 	m_otherJoints.resize(0);
 	{
 		const ScopedTimer timer("elastic-plastic set-up", m_statistics.m_setUpTime);
-		const bool isLarge = numConstraints > MANY_JOINTS;
 		for (int i = 0; i < numConstraints; ++i)
 		{
-			if (isLarge && i + PREFETCH_AHEAD < numConstraints && m_island.m_joints[i + PREFETCH_AHEAD])
-				prefetch(*m_island.m_joints[i + PREFETCH_AHEAD]);
+			if (i + PREFETCH_AHEAD < numConstraints && m_island.m_joints[i + PREFETCH_AHEAD])
+				m_island.m_joints[i + PREFETCH_AHEAD]->prefetch();
 			JointWorks* const joint = constraints[i]->isEnabled() ? m_island.m_joints[i] : nullptr;
 			if (joint && joint->beginAlone())
 				addToDirect(*joint, info);

@@ -94,86 +94,75 @@ void SystemMatrix::noteChange(const int body[2], bool hasChanged)
 
 namespace
 {
-/// A 6x6 block in four 3x3 parts, each by columns.
-struct Parts
+/// What a unit gives to the blocks of its bodies, 3x3 by columns. With its tangent S along the axes and U about them, L of what is coupled
+/// of both, and X the matrix of r x, J^T (d lambda / du) J is
+///
+///     [ S           S X^T + L                     ]
+///     [ X S + L^T   X S X^T + X L + L^T X^T + U   ]
+///
+/// on a body, and minus [ S, S XB^T + L; XA S + L^T, XA S XB^T + XA L + L^T XB^T + U ] between the two.
+class UnitBlocks
 {
-	double m_topLeft[9], m_bottomLeft[9], m_topRight[9], m_bottomRight[9];
-
-	void addTo(double* block) const
+public:
+	/// \param mixed  null: nothing is coupled
+	UnitBlocks(const SystemInput::Unit& unit, const double linear[9], const double angular[9], const double* mixed)
+		: m_unit(unit), m_linear(linear), m_angular(angular), m_mixed(mixed)
 	{
-		for (int c = 0; c < 3; ++c)
-			for (int r = 0; r < 3; ++r)
+		// As S is symmetric, S X^T is the mirror image of X S, and X S X^T the product of X with that.
+		for (int side = 0; side < 2; ++side)
+			for (int c = 0; c < 3; ++c)
 			{
-				block[6 * c + r] += m_topLeft[3 * c + r];
-				block[6 * c + 3 + r] += m_bottomLeft[3 * c + r];
-				block[6 * (3 + c) + r] += m_topRight[3 * c + r];
-				block[6 * (3 + c) + 3 + r] += m_bottomRight[3 * c + r];
+				double moment[3];
+				cross(unit.m_arm[side], linear + 3 * c, moment);
+				for (int r = 0; r < 3; ++r)
+					m_shear[side][3 * r + c] = moment[r];
+				if (mixed)
+					cross(unit.m_arm[side], mixed + 3 * c, m_turned[side] + 3 * c);
 			}
 	}
-};
 
-/// Adds what a unit's coupling of shear and bending gives.
-void addMixed(const SystemInput::Unit& unit, const double mixed[9], int row, int column, double sign, Parts& p)
-{
-	double ofRow[9], ofColumn[9];
-	for (int c = 0; c < 3; ++c)
+	/// Adds the block of one side's rows and another's columns, or takes it off.
+	template <class Add>
+	void addTo(double* block, int row, int column, Add add) const
 	{
-		cross(unit.m_arm[row], mixed + 3 * c, ofRow + 3 * c);
-		cross(unit.m_arm[column], mixed + 3 * c, ofColumn + 3 * c);
-	}
-	for (int c = 0; c < 3; ++c)
-		for (int r = 0; r < 3; ++r)
+		const double *const right = m_shear[column], *const bottom = m_shear[row];
+		for (int c = 0; c < 3; ++c)
 		{
-			p.m_topRight[3 * c + r] += sign * mixed[3 * c + r];
-			p.m_bottomLeft[3 * c + r] += sign * mixed[3 * r + c];
-			p.m_bottomRight[3 * c + r] += sign * (ofRow[3 * c + r] + ofColumn[3 * r + c]);
+			double *const left = block + 6 * c, *const turning = block + 6 * (3 + c), moment[3];
+			cross(m_unit.m_arm[row], right + 3 * c, moment);
+			for (int r = 0; r < 3; ++r)
+			{
+				const int i = 3 * c + r, mirrored = 3 * r + c;
+				add(left[r], m_linear[i]);
+				add(left[3 + r], m_mixed ? bottom[mirrored] + m_mixed[mirrored] : bottom[mirrored]);
+				add(turning[r], m_mixed ? right[i] + m_mixed[i] : right[i]);
+				const double own = moment[r] + m_angular[i];
+				add(turning[3 + r], m_mixed ? own + (m_turned[row][i] + m_turned[column][mirrored]) : own);
+			}
 		}
-}
+	}
+
+private:
+	const SystemInput::Unit& m_unit;
+	const double *const m_linear, *const m_angular, *const m_mixed;
+	double m_shear[2][9];   // S X^T
+	double m_turned[2][9];  // X L
+};
 }  // namespace
 
-/// With the unit's tangent S along the axes and U about them, and X the matrix of r x: J^T (d lambda / du) J is
-///     [ S     S X^T         ]
-///     [ X S   X S X^T + U   ]   on a body, and minus [ S, S XB^T; XA S, XA S XB^T + U ] between the two.
-/// Where shear and bending are coupled by the tangent L, that adds [ 0, L; L^T, X L + L^T X^T ], likewise minus
-/// [ 0, L; L^T, XA L + L^T XB^T ].
 void SystemMatrix::addUnit(const SystemInput::Unit& unit, int edge, const double linear[9], const double angular[9],
 						   const double* mixed)
 {
-	// X S of both bodies; as S is symmetric, S X^T is its mirror image, and X S X^T the product of X with that.
-	double moment[2][9], mirrored[2][9];
-	for (int side = 0; side < 2; ++side)
-	{
-		for (int c = 0; c < 3; ++c)
-			cross(unit.m_arm[side], linear + 3 * c, moment[side] + 3 * c);
-		for (int c = 0; c < 3; ++c)
-			for (int r = 0; r < 3; ++r)
-				mirrored[side][3 * c + r] = moment[side][3 * r + c];
-	}
+	const UnitBlocks blocks(unit, linear, angular, mixed);
 	BlockMatrix& matrix = m_solver.getMatrix();
-	const auto parts = [&](int row, int column, double sign)
-	{
-		Parts p;
-		for (int c = 0; c < 3; ++c)
-			cross(unit.m_arm[row], mirrored[column] + 3 * c, p.m_bottomRight + 3 * c);
-		for (int i = 0; i < 9; ++i)
-		{
-			p.m_topLeft[i] = sign * linear[i];
-			p.m_bottomLeft[i] = sign * moment[row][i];
-			p.m_topRight[i] = sign * mirrored[column][i];
-			p.m_bottomRight[i] = sign * (p.m_bottomRight[i] + angular[i]);
-		}
-		if (mixed)
-			addMixed(unit, mixed, row, column, sign, p);
-		return p;
-	};
 	for (int side = 0; side < 2; ++side)
 		if (unit.m_body[side] >= 0)
-			parts(side, side, 1).addTo(matrix.diagonal(unit.m_body[side]));
+			blocks.addTo(matrix.diagonal(unit.m_body[side]), side, side, [](double& to, double x) { to += x; });
 	if (edge < 0)
 		return;
 	bool transposed;
-	double* block = matrix.offDiagonal(edge, transposed);
-	parts(transposed, !transposed, -1).addTo(block);
+	double* const block = matrix.offDiagonal(edge, transposed);
+	blocks.addTo(block, transposed, !transposed, [](double& to, double x) { to -= x; });
 }
 
 /// Adds tangent a^T b of two rows of the same bodies.
