@@ -201,8 +201,8 @@ TEST(Destruction, NorInALargeStructure)
 		const char* m_name;
 		int m_broken;  // at least, four times as many at most
 		long long
-			m_work;  // nominal, from the blow to frame 90: 245 and 161 million where each step guessed the whole first
-	} cases[] = {{"wall-2000-hit", 50, 200000000}, {"lattice", 5, 155000000}};
+			m_work;  // nominal, from the blow to frame 90: 193 to 205 and 137 million; 245 and 161 where each step guessed the whole first
+	} cases[] = {{"wall-2000-hit", 50, 220000000}, {"lattice", 5, 150000000}};
 	for (const auto& c : cases)
 	{
 		SCOPED_TRACE(c.m_name);

@@ -10,7 +10,7 @@ namespace btElasticPlastic
 {
 /// The number of joints ahead of the present one whose data is prefetched: those of a world do not fit the processor's cache, be they
 /// one structure's or many's.
-const int PREFETCH_AHEAD = 4;
+const int PREFETCH_AHEAD = 2;
 
 /// Has the processor load what is between two places of an object into its cache before it is used.
 inline void prefetch(const void* from, const void* to)

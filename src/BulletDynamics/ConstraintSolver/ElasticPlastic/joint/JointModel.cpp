@@ -161,7 +161,7 @@ btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 	for (const auto& array : arrays)
 		for (int i = 0; i < array.m_count; ++i)
 			if (!canBeKept(array.m_values[i]))
-				return btElasticPlasticFault(array.m_name, array.m_values[i], KEPT, i);
+				return btElasticPlasticFault(array.m_name, array.m_values[i], KEPT, i % BT_EP_DOF_COUNT);
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 	{
 		const btElasticPlasticFibreState& fibre = state.m_fibres[i];

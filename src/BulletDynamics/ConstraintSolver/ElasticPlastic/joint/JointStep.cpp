@@ -302,9 +302,7 @@ RowOutcome JointStep::outcomeOf(int r) const
 	outcome.m_impulse = row.m_impulse;
 	outcome.m_lower = row.m_lower;
 	outcome.m_upper = row.m_upper;
-	// The trial deformation is along the axes at the start of the step: measured in the turned configuration, the turn would
-	// count as strain.
-	outcome.m_trial = m_kinematics.m_strain[row.m_dof] - m_dt * row.m_velocity1;
+	outcome.m_trial = trialOf(r);
 	outcome.m_bound = m_lastBound[row.m_dof];
 	outcome.m_isBoundKnown = row.m_isBoundKnown;
 	outcome.m_isForStock = row.m_isForStock;
@@ -477,35 +475,33 @@ void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) co
 /// \param work  taken from the bodies since the joint was new
 bool JointStep::isUsable(double work) const
 {
-	bool isUsable = btElasticPlasticIsFinite(work);
+	const btScalar rate = 1 / m_dt, most = btElasticPlasticCapacity::greatestYield();
+	bool isBounded = true;
+	double sum = work;  // a number only if all of them are
 	for (int r = 0; r < m_numRows; ++r)
 	{
 		const int dof = m_row[r].m_dof;
+		const btScalar trial = btFabs(trialOf(r)), moved = m_hasRecovery ? btFabs(m_recovery[dof]) : btScalar(0);
 		// The force at the end of the step, its rate, and the energy of its flow are not above these.
-		const double spring = double(m_model.m_capacity.m_stiffness[dof]) * fabs(double(outcomeOf(r).m_trial));
-		const double force = double(m_row[r].m_impulse / m_dt) + btMin(double(m_model.m_capacity.m_yield[dof]), spring);
-		isUsable &= isDeformation(outcomeOf(r).m_trial) && canBeKept(btScalar(force / double(m_dt))) &&
-					(!m_hasRecovery || isDeformation(m_recovery[dof]));
+		const btScalar spring = btMin(m_model.m_capacity.m_yield[dof], m_model.m_capacity.m_stiffness[dof] * trial),
+					   forceRate = (btFabs(m_row[r].m_impulse * rate) + spring) * rate;
+		sum += double(trial) + double(moved) + double(forceRate);
+		isBounded &= trial < btScalar(BT_LARGE_FLOAT) && moved < btScalar(BT_LARGE_FLOAT) && forceRate <= most;
 	}
 	for (const btRigidBody* body : {&m_model.bodyA(), &m_model.bodyB()})
 	{
-		const btVector3 force = forceBesideWeight(*body), torque = body->getTotalTorque();
+		const btVector3 force = forceBesideWeight(*body).absolute(), torque = body->getTotalTorque().absolute();
 		for (int k = 0; k < 3; ++k)
-			isUsable &= canBeKept(force[k]) && canBeKept(torque[k]);
+		{
+			sum += double(force[k]) + double(torque[k]);
+			isBounded &= force[k] <= most && torque[k] <= most;
+		}
 	}
-	return isUsable;
-}
-
-/// Elastic deformation of the r-th row by forces of its joint, coupled as in this step.
-btScalar JointStep::deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) const
-{
-	const Row& row = m_row[r];
-	const btScalar own = force[row.m_dof] / m_model.m_capacity.m_stiffness[row.m_dof];
-	return row.m_partner < 0 ? own : own + row.m_coupling * force[m_row[row.m_partner].m_dof];
+	return isBounded && btElasticPlasticIsFinite(sum);
 }
 
 /// Ends the step of the branches by which the material damps, and books what they have dissipated.
-/// \param change  of the springs' forces in the step
+/// \param change  of the springs' forces in the step, 0 where there is none
 /// \param fibres  what has become of theirs, of a joint whose fibres are in the step
 void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres)
 {
@@ -518,35 +514,44 @@ void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Ou
 		return;
 	}
 	state.m_dampingEnergy += fibres.m_lost;
+	const btScalar rate = 1 / m_dt;
+	btScalar compliance[BT_EP_DOF_COUNT] = {}, coupling[2] = {};
+	for (int r = 0, numPlain = getNumPlainRows(); r < numPlain; ++r)
+	{
+		const int i = m_row[r].m_dof;
+		compliance[i] = m_model.m_capacity.isRigidPlastic(i) ? btScalar(0) : 1 / m_model.m_capacity.m_stiffness[i];
+		if (m_row[r].m_partner >= 0 && i < 3)
+			coupling[i - BT_EP_SHEAR_Y] = m_row[r].m_coupling;
+	}
+	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && fibres.m_isCoupled; ++i)
+		coupling[i - BT_EP_SHEAR_Y] = m_model.m_capacity.couplingCompliance(i);
 	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
 	{
-		btScalar *const q = state.m_branch[b], before[BT_EP_DOF_COUNT], sum[BT_EP_DOF_COUNT];
+		btScalar *const q = state.m_branch[b], before[BT_EP_DOF_COUNT];
 		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		{
 			before[i] = q[i];
-			q[i] = m_model.m_capacity.isRigidPlastic(i) ? btScalar(0) : m_damping.next(b, q[i], change[i]);
-			if (m_usesFibres && btElasticPlasticCapacity::isOfFibres(i))
-				q[i] = btScalar(i == BT_EP_AXIAL       ? fibres.m_branch[b].m_axial
-								: i == BT_EP_BENDING_Y ? fibres.m_branch[b].m_momentY
-													   : fibres.m_branch[b].m_momentZ);
-			sum[i] = before[i] + q[i];
-			state.m_forceRate[i] += (q[i] - before[i]) / m_dt;
+			q[i] = m_damping.next(b, q[i], change[i]);
 		}
-		double squares = 0;  // q0^2 + q0 q1 + q1^2, over k
-		for (int r = 0, numPlain = getNumPlainRows(); r < numPlain; ++r)
-			if (!m_model.m_capacity.isRigidPlastic(m_row[r].m_dof))
-				squares += double(before[m_row[r].m_dof]) * double(deformation(r, sum)) +
-						   double(q[m_row[r].m_dof]) * double(deformation(r, q));
 		if (m_usesFibres)
 		{
-			squares += fibres.m_squares[b];
-			for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && fibres.m_isCoupled; ++i)
-			{
-				const int bending = btElasticPlasticCapacity::coupledWith(i);
-				squares += double(m_model.m_capacity.couplingCompliance(i)) *
-						   (double(before[i]) * double(sum[bending]) + double(before[bending]) * double(sum[i]) +
-							2 * double(q[i]) * double(q[bending]));
-			}
+			q[BT_EP_AXIAL] = btScalar(fibres.m_branch[b].m_axial);
+			q[BT_EP_BENDING_Y] = btScalar(fibres.m_branch[b].m_momentY);
+			q[BT_EP_BENDING_Z] = btScalar(fibres.m_branch[b].m_momentZ);
+		}
+		double squares = fibres.m_squares[b];  // q0^2 + q0 q1 + q1^2, over k
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		{
+			const double was = before[i], is = q[i];
+			squares += double(compliance[i]) * (was * (was + is) + is * is);
+			state.m_forceRate[i] += (q[i] - before[i]) * rate;
+		}
+		for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z; ++i)
+		{
+			const int bending = btElasticPlasticCapacity::coupledWith(i);
+			const double was[2] = {before[i], before[bending]}, is[2] = {q[i], q[bending]};
+			squares += double(coupling[i - BT_EP_SHEAR_Y]) *
+					   (was[0] * (was[1] + is[1]) + was[1] * (was[0] + is[0]) + 2 * is[0] * is[1]);
 		}
 		if (squares > 0)
 			state.m_dampingEnergy += squares * double(m_damping.getLoss(b)) / 3;
@@ -672,8 +677,9 @@ int JointStep::commit(double share, bool isNew)
 		Row& row = m_row[r];
 		const int i = row.m_dof;
 		const ReturnMapping& mapped = mappedRows[r];
-		change[i] = mapped.m_force - state.m_force[i];
-		state.m_forceRate[i] = change[i] * rate;
+		const btScalar gained = mapped.m_force - state.m_force[i];
+		change[i] = m_model.m_capacity.isRigidPlastic(i) ? btScalar(0) : gained;
+		state.m_forceRate[i] = gained * rate;
 		state.m_force[i] = mapped.m_force;
 		state.m_appliedBefore[i] = state.m_applied[i];
 		state.m_applied[i] = row.m_impulse * rate;

@@ -185,6 +185,9 @@ private:
 	DofState dofState(int dof) const;
 	PaperLaw paperLaw(int dof) const;
 	void couple(JointRows& rows);
+	/// Deformation if the whole step was elastic. It is along the axes at the start of the step: measured in the turned configuration, the turn
+	/// would count as strain.
+	btScalar trialOf(int r) const { return m_kinematics.m_strain[m_row[r].m_dof] - m_dt * m_row[r].m_velocity1; }
 	RowOutcome outcomeOf(int r) const;
 	ReturnMapping returnMap(int r) const;
 	void returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
@@ -204,7 +207,6 @@ private:
 	}
 	/// In the step.
 	btScalar yieldOf(int dof) const { return m_usesFibres ? m_fibres.yieldOf(dof) : m_model.m_capacity.m_yield[dof]; }
-	btScalar deformation(int r, const btScalar force[BT_EP_DOF_COUNT]) const;
 	void damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres);
 	double strainEnergy(const Kinematics& k) const;
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;

@@ -16,6 +16,8 @@ const btScalar LIMIT = 20;
 /// Of g in the inertia about the line, below which spin grows by less than a ten thousandth in a step: the force is within some
 /// hundredths of a radian along the arm.
 const btScalar SLIGHT = btScalar(0.01);
+/// Rounding does not take a bound below this share of what it bounds.
+const btScalar NEARLY = btScalar(0.99);
 
 bool moves(const btRigidBody& body) { return body.getInvMass() > 0 && !body.isKinematicObject(); }
 
@@ -46,6 +48,36 @@ btScalar stiffnessAbout(const JointModel& model, const Kinematics& k, const btVe
 	}
 	return sum;
 }
+/// Bounds of what decides on damping, from which most joints are far: no mobility is above the sum of the three about the body's own
+/// axes, and no product of the two arms above a quarter of the chord's square.
+class GreatestShares
+{
+public:
+	GreatestShares(const JointModel& model, const Kinematics& k, const btVector3& force, btScalar dt)
+		: m_a(sumOfMobilities(model.bodyA())), m_b(sumOfMobilities(model.bodyB()))
+	{
+		const btScalar spinA = model.bodyA().getAngularVelocity().length2() * k.m_rA.length2(),
+					   spinB = model.bodyB().getAngularVelocity().length2() * k.m_rB.length2(),
+					   impulse2 = force.length2() * dt * dt;
+		m_across2 = impulse2 * dt * dt * (k.m_rA - k.m_rB).length2();
+		// (a + b)^2 <= 2 (a^2 + b^2)
+		m_along2 = impulse2 * dt * dt * dt * dt * (spinA + spinB) / 8;
+	}
+
+	// Not below what is not a number.
+	bool isAcross() const { return !(m_across2 * square(btMin(m_a, m_b)) < square(NEARLY * RESOLVED)); }
+	bool isAlong() const { return !(m_along2 * square(btMax(m_a, m_b)) < square(NEARLY * SLIGHT)); }
+
+private:
+	static btScalar square(btScalar x) { return x * x; }
+	static btScalar sumOfMobilities(const btRigidBody& body)
+	{
+		const btVector3& own = body.getInvInertiaDiagLocal();
+		return moves(body) ? own.x() + own.y() + own.z() : btScalar(0);
+	}
+
+	btScalar m_a, m_b, m_across2, m_along2;
+};
 }  // namespace
 
 void TensionDamping::add(const btVector3& axis, btScalar factor) { m_row[m_numRows++] = {axis, factor}; }
@@ -102,8 +134,11 @@ TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, 
 		return damping;
 	const btScalar* const force = model.m_isByMode ? model.m_state.m_applied : model.m_state.m_force;
 	const btVector3 sum = k.m_axis[0] * force[0] + k.m_axis[1] * force[1] + k.m_axis[2] * force[2];
-	damping.addAcross(model, k, sum, dt);
-	damping.addAlong(model, k, sum, dt);
+	const GreatestShares greatest(model, k, sum, dt);
+	if (greatest.isAcross())
+		damping.addAcross(model, k, sum, dt);
+	if (greatest.isAlong())
+		damping.addAlong(model, k, sum, dt);
 	return damping;
 }
 }  // namespace btElasticPlastic

@@ -29,9 +29,8 @@ const double SLIDING = 0.999;
 const double HEAVY = 3;
 /// The most such contacts that are in the system.
 const int MOST_HEAVY = 64;
-/// Sweeps of contacts between two solutions of the system.
-const int SWEEPS_A_SOLUTION = 2;
-const int SWEEPS_WHERE_IT_FLOWS = 5;
+/// Sweeps of contacts between two solutions of the system, and between those of one with few bodies, which cost little.
+const int SWEEPS_A_SOLUTION = 5, SWEEPS_WITH_FEW = 2;
 /// How often swept impulses that give energy are taken back, in the end all of them.
 const int MOST_TAKEN_BACK = 4;
 /// Recovery of swept contacts between loose bodies that is slower than this stays Bullet's [m/s].
@@ -596,18 +595,13 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 							 const SweptRows::RowSolvers& rowSolvers)
 {
 	const std::vector<SystemInput::Bounded> rows = m_input.m_rows;
-	std::vector<double> along;
-	const int sweeps = btMax(info.m_numIterations, 1);
+	const int sweeps = btMax(info.m_numIterations, 1),
+			  between = m_solverBodies.size() > System::FEW_BODIES ? SWEEPS_A_SOLUTION : SWEEPS_WITH_FEW;
 	bool isSolved = true;
 	const auto takeTargets = [&]
 	{
 		takeOthers(pools);
-		project(m_input, m_byOthers, along);
-		for (size_t i = 0; i < rows.size(); ++i)
-		{
-			m_input.m_rows[i] = rows[i];
-			m_input.m_rows[i].m_target -= along[i];
-		}
+		takeFromTargets(m_input, m_byOthers, m_isChanged, rows);
 	};
 	for (int done = 0;;)
 	{
@@ -617,9 +611,8 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 		if (isLast)
 			m_recovery.keep(m_input);
 		const System::Effort effort = isLast ? System::EXACT : System::ROUGH;
-		isSolved =
-			isFirst ? m_system.solve(m_input, m_joints[0].m_works->m_islandId, effort, 2 + sweeps / SWEEPS_A_SOLUTION)
-					: m_system.solveAgain(m_input, effort);
+		isSolved = isFirst ? m_system.solve(m_input, m_joints[0].m_works->m_islandId, effort, 2 + sweeps / between)
+						   : m_system.solveAgain(m_input, effort);
 		// Neither sweeps nor solutions let the sum of both rise, so it has to begin below 0: else there would be energy from nowhere.
 		if (made > 0 && !(made + m_system.findMade(m_input) <= 0))
 		{
@@ -631,10 +624,8 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 		writeVelocities(pools);
 		if (isLast)
 			break;
-		// The more of the structure is flowing, the more a solution costs, and the less it says about the next one.
-		const int most = m_system.isHard()        ? sweeps
-						 : m_system.hasSearched() ? SWEEPS_WHERE_IT_FLOWS
-												  : SWEEPS_A_SOLUTION;
+		// Where much of the structure is flowing, a solution costs much, and says little about the next one.
+		const int most = m_system.isHard() ? sweeps : between;
 		for (int i = 0; i < most && done < sweeps; ++i, ++done)
 			m_swept.sweep(pools, rowSolvers);
 	}
@@ -662,13 +653,17 @@ void DirectForm::takeOthers(const SolverPools& pools)
 		m_byOthers.assign(6 * n, 0.);
 		m_written.assign(6 * n, 0.);
 	}
+	m_isChanged.assign(n, 0);
 	for (size_t b = 0; b < n; ++b)
 	{
 		btSolverBody& body = pools.m_bodies[m_solverBodies[int(b)]];
-		for (int i = 0; i < 3; ++i)
+		for (size_t i = 0; i < 6; ++i)
 		{
-			m_byOthers[6 * b + i] += double(body.internalGetDeltaLinearVelocity()[i]) - m_written[6 * b + i];
-			m_byOthers[6 * b + 3 + i] += double(body.internalGetDeltaAngularVelocity()[i]) - m_written[6 * b + 3 + i];
+			const btVector3& now =
+				i < 3 ? body.internalGetDeltaLinearVelocity() : body.internalGetDeltaAngularVelocity();
+			const double given = double(now[int(i % 3)]) - m_written[6 * b + i];
+			m_byOthers[6 * b + i] += given;
+			m_isChanged[b] |= given != 0;
 		}
 	}
 }

@@ -119,7 +119,8 @@ private:
 	btAlignedObjectArray<bool> m_isLoaded;     ///< by body in the system: something loose and heavy lies on it
 	btAlignedObjectArray<int> m_solverBodies;  ///< of each body in the system
 	std::vector<double> m_byOthers;            ///< by body, 6 doubles: change of velocity that swept rows have given
-	std::vector<double> m_written;             ///< the same, as the bodies had it after the last solution
+	std::vector<char> m_isChanged;             ///< by body: they have given since the last solution
+	std::vector<double> m_written;             ///< change of velocity as the bodies had it after the last solution
 };
 }  // namespace btElasticPlastic
 

@@ -34,43 +34,78 @@ void addFibres(const SystemInput& input, const SystemInput::Unit& unit, const do
 	addScaled(aboutY, unit.m_axis[1], sum[1]);
 	addScaled(aboutZ, unit.m_axis[2], sum[1]);
 }
+
+const double* velocityOf(const std::vector<double>& velocity, int body)
+{
+	return body >= 0 ? &velocity[6 * size_t(body)] : AT_REST;
+}
+
+void projectUnit(const SystemInput& input, const SystemInput::Unit& unit, const std::vector<double>& velocity,
+				 double* along)
+{
+	const double *const a = velocityOf(velocity, unit.m_body[0]), *const b = velocityOf(velocity, unit.m_body[1]);
+	double turnA[3], turnB[3], relative[2][3];
+	cross(a + 3, unit.m_arm[0], turnA);
+	cross(b + 3, unit.m_arm[1], turnB);
+	for (int i = 0; i < 3; ++i)
+	{
+		relative[0][i] = a[i] + turnA[i] - b[i] - turnB[i];
+		relative[1][i] = a[3 + i] - b[3 + i];
+	}
+	double onAxis[6];
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		onAxis[axis] = dot(unit.m_axis[axis], relative[0]);
+		onAxis[3 + axis] = dot(unit.m_axis[axis], relative[1]);
+	}
+	const int numPlain = unit.getNumPlainRows();
+	for (int r = 0; r < numPlain; ++r)
+		along[r] = onAxis[unit.m_dof[r]];
+	for (int i = 0; i < unit.m_numFibres; ++i)
+	{
+		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
+		along[numPlain + i] = onAxis[0] + fibre.m_z * onAxis[4] - fibre.m_y * onAxis[5];
+	}
+}
+
+double projectRow(const SystemInput::SingleRow& row, const std::vector<double>& velocity)
+{
+	const double *const a = velocityOf(velocity, row.m_body[0]), *const b = velocityOf(velocity, row.m_body[1]);
+	return dot(row.m_J, a) + dot(row.m_J + 3, a + 3) + dot(row.m_J + 6, b) + dot(row.m_J + 9, b + 3);
+}
 }  // namespace
 
 void project(const SystemInput& input, const std::vector<double>& velocity, std::vector<double>& along)
 {
 	along.resize(input.m_rows.size());
-	const auto of = [&velocity](int body) { return body >= 0 ? &velocity[6 * size_t(body)] : AT_REST; };
+	for (const SystemInput::Unit& unit : input.m_units)
+		projectUnit(input, unit, velocity, &along[unit.m_firstRow]);
+	for (const SystemInput::SingleRow& row : input.m_singleRows)
+		along[row.m_row] = projectRow(row, velocity);
+}
+
+void takeFromTargets(SystemInput& input, const std::vector<double>& velocity, const std::vector<char>& isChanged,
+					 const std::vector<SystemInput::Bounded>& rows)
+{
+	const auto hasChanged = [&](int body) { return body >= 0 && isChanged[size_t(body)] != 0; };
+	std::vector<double> along;
 	for (const SystemInput::Unit& unit : input.m_units)
 	{
-		const double *a = of(unit.m_body[0]), *b = of(unit.m_body[1]);
-		double turnA[3], turnB[3], relative[2][3];
-		cross(a + 3, unit.m_arm[0], turnA);
-		cross(b + 3, unit.m_arm[1], turnB);
-		for (int i = 0; i < 3; ++i)
+		if (!hasChanged(unit.m_body[0]) && !hasChanged(unit.m_body[1]))
+			continue;
+		along.resize(size_t(unit.m_numRows));
+		projectUnit(input, unit, velocity, along.data());
+		for (int r = 0; r < unit.m_numRows; ++r)
 		{
-			relative[0][i] = a[i] + turnA[i] - b[i] - turnB[i];
-			relative[1][i] = a[3 + i] - b[3 + i];
-		}
-		double onAxis[6];
-		for (int axis = 0; axis < 3; ++axis)
-		{
-			onAxis[axis] = dot(unit.m_axis[axis], relative[0]);
-			onAxis[3 + axis] = dot(unit.m_axis[axis], relative[1]);
-		}
-		double* to = &along[unit.m_firstRow];
-		const int numPlain = unit.getNumPlainRows();
-		for (int r = 0; r < numPlain; ++r)
-			to[r] = onAxis[unit.m_dof[r]];
-		for (int i = 0; i < unit.m_numFibres; ++i)
-		{
-			const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
-			to[numPlain + i] = onAxis[0] + fibre.m_z * onAxis[4] - fibre.m_y * onAxis[5];
+			const size_t i = size_t(unit.m_firstRow + r);
+			input.m_rows[i].m_target = rows[i].m_target - along[size_t(r)];
 		}
 	}
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
 	{
-		const double *a = of(row.m_body[0]), *b = of(row.m_body[1]);
-		along[row.m_row] = dot(row.m_J, a) + dot(row.m_J + 3, a + 3) + dot(row.m_J + 6, b) + dot(row.m_J + 9, b + 3);
+		const size_t i = size_t(row.m_row);
+		input.m_rows[i] = rows[i];
+		input.m_rows[i].m_target -= projectRow(row, velocity);
 	}
 }
 

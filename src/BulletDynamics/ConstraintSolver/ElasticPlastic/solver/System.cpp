@@ -42,8 +42,8 @@ const int MAX_LENGTH_STEPS = 60;
 const double SHORT_STEP = 0.1;
 /// After so many short ones, or so many steps of any length that did not end the search, there is no end in sight.
 const int SHORT_STEPS = 2, PATIENCE = 5;
-/// The same in an island of few bodies, where a step costs little and the exactness of contacts counts more.
-const int FEW_BODIES = 30, PATIENCE_WITH_FEW = 50;
+/// The same in an island of few bodies.
+const int PATIENCE_WITH_FEW = 50;
 
 // ---- when and where a search runs inside a place
 

@@ -47,6 +47,11 @@ struct SystemResult
 class System
 {
 public:
+	enum
+	{
+		FEW_BODIES = 30  ///< with so many a step of the search costs little, and the exactness of contacts counts more
+	};
+
 	explicit System(btElasticPlasticStatistics& statistics);
 	~System();
 
@@ -90,9 +95,6 @@ public:
 
 	/// Whether Newton's method alone has not solved the last problem.
 	bool isHard() const { return m_isHard; }
-
-	/// Whether the last solution took any Newton step.
-	bool hasSearched() const { return m_hasSearched; }
 
 	/// What the last solution makes of energy, by the sum that it minimises: 1/2 lambda^T (A + C) lambda - b^T lambda.
 	double findMade(const SystemInput& input);

@@ -17,6 +17,17 @@ inline void addOuterProduct(double weight, const double a[3], const double b[3],
 			to[3 * c + k] += weight * b[c] * a[k];
 }
 
+/// to += sum of weight a a^T over three axes, 3x3 by columns.
+inline void addOuterProducts(const double weights[3], const double axes[3][3], double to[9])
+{
+	for (int c = 0; c < 3; ++c)
+	{
+		const double x = weights[0] * axes[0][c], y = weights[1] * axes[1][c], z = weights[2] * axes[2][c];
+		for (int k = 0; k < 3; ++k)
+			to[3 * c + k] += x * axes[0][k] + y * axes[1][k] + z * axes[2][k];
+	}
+}
+
 /// Adds the tangent of a unit's fibres, sum of g g^T t with g = (1, z, -y) along the first axis and about the other two. Where they are
 /// coupled with the shears, with the inverse P that CoupledBundle::Matrix gives, that is Q P Q^T more, with a column of Q by shear: its
 /// own direction less sum t b g.
@@ -78,21 +89,21 @@ bool addUnitTangent(const Tangents& tangents, const SystemInput& input, const Sy
 					double angular[9], double mixed[9])
 {
 	bool isMixed = unit.m_numFibres > 0;
+	double weights[6] = {};
 	for (int r = 0; r < unit.getNumPlainRows(); ++r)
 	{
 		const int row = unit.m_firstRow + r;
 		const double weight = tangents.getTangent(input, row);
-		if (weight == 0)
-			continue;
-		const double* const axis = unit.m_axis[unit.m_dof[r] % 3];
-		addOuterProduct(weight, axis, axis, unit.m_dof[r] < 3 ? linear : angular);
-		const double beside = unit.m_dof[r] < 3 ? tangents.getTangentWithPartner(input, row) : 0;
+		weights[unit.m_dof[r]] = weight;
+		const double beside = weight != 0 && unit.m_dof[r] < 3 ? tangents.getTangentWithPartner(input, row) : 0;
 		if (beside == 0)
 			continue;
 		const int partner = input.m_rows[size_t(row)].m_partner - unit.m_firstRow;
-		addOuterProduct(beside, axis, unit.m_axis[unit.m_dof[partner] % 3], mixed);
+		addOuterProduct(beside, unit.m_axis[unit.m_dof[r]], unit.m_axis[unit.m_dof[partner] % 3], mixed);
 		isMixed = true;
 	}
+	addOuterProducts(weights, unit.m_axis, linear);
+	addOuterProducts(weights + 3, unit.m_axis, angular);
 	if (unit.m_numFibres > 0)
 		addFibreTangent(tangents, input, unit, linear, angular, mixed);
 	return isMixed;
