@@ -76,6 +76,27 @@ TEST_P(Capacities, APlaceThatIsNoneIsNoReference)
 	}
 }
 
+TEST(FiniteFibres, AStateOfFibresIsOneUnderAnotherScheme)
+{
+	// Much stronger when it is pressed than the joint's yield value says, as concrete is between weak bars.
+	btElasticPlasticCapacity strong = fibres();
+	strong.scaleYield(btScalar(1e-4));
+	for (int i = 0; i < strong.m_fibres.size(); ++i)
+		strong.m_fibres[i].m_compression *= 200;
+	Pair pair(Solver::Direct, 12, 12);
+	btElasticPlasticJoint* joint = pair.join(strong);
+	for (int i = 0; i < 3; ++i)
+	{
+		pair.m_a->applyCentralForce(btVector3(btScalar(20e3), 0, 0));
+		pair.m_b->applyCentralForce(btVector3(btScalar(-20e3), 0, 0));
+		run(pair.m_world, 1, btScalar(1) / 60);
+	}
+	EXPECT_GT(double(btFabs(joint->getState().m_force[BT_EP_AXIAL])), 64 * double(strong.m_yield[BT_EP_AXIAL]));
+	expectUsable(*joint, "by its own scheme");
+	joint->setScheme(BT_EP_SCHEME_PAPER);
+	expectUsable(*joint, "by the paper's");
+}
+
 TEST_P(Capacities, AStretchedBasisIsNoReference)
 {
 	// Between two bodies of the same basis there is no strain, whatever it is.

@@ -227,8 +227,10 @@ btScalar JointModel::mostForce(const btElasticPlasticState& state, int dof) cons
 {
 	if (!isElasticPlastic(dof))
 		return 0;
-	if (!isOfFibres(dof))
-		return MOST_OVER_YIELD * m_capacity.m_yield[dof];
+	const btScalar without = MOST_OVER_YIELD * m_capacity.m_yield[dof];
+	// Forces of fibres stay where another scheme has taken over since.
+	if (!btElasticPlasticCapacity::isOfFibres(dof) || !m_capacity.hasFibres())
+		return without;
 	btScalar sum = 0;
 	for (int i = 0; i < state.m_fibres.size(); ++i)
 	{
@@ -236,7 +238,7 @@ btScalar JointModel::mostForce(const btElasticPlasticState& state, int dof) cons
 		const btScalar arm = dof == BT_EP_AXIAL ? btScalar(1) : dof == BT_EP_BENDING_Y ? fibre.m_z : fibre.m_y;
 		sum += btFabs(arm) * mostForce(state.m_fibres[i], fibre);
 	}
-	return sum;
+	return btMax(sum, without);
 }
 
 /// Where a section damps, one that cracks at little tension is unloaded by as much as it has been pressed by.
