@@ -138,6 +138,56 @@ TEST(BlockFactor, WidthsAgreeToTheBit)
 	}
 }
 
+TEST(BlockFactor, HalvesOfSolutionsMultiplyToWhatWholeOnesGive)
+{
+	std::vector<std::pair<std::string, BlockGraph>> graphs = smallGraphs();
+	graphs.push_back({"grid", ep::grid(8, 8, 3)});
+	graphs.push_back({"frame", ep::frame()});
+	for (const auto& [name, graph] : graphs)
+	{
+		SCOPED_TRACE(name);
+		const int n = graph.m_numBodies;
+		const Matrix matrix = matrixOf(graph);
+		const Values elements = randomValues(4);
+		// Between the ends, between one of them and the ground, and between neighbours.
+		const int bodies[3][2] = {{0, n - 1}, {n - 1, -1}, {n / 2, std::min(n / 2 + 1, n - 1)}};
+		std::vector<double> fused;
+		for (const int width : Widths)
+		{
+			Factor factor;
+			factor.setMaxVectorWidth(width);
+			factor.analyse(matrix);
+			ASSERT_TRUE(factor.factorise(matrix));
+			btElasticPlastic::HalfSolution halves[3];
+			std::vector<double> products;
+			for (int i = 0; i < 3; ++i)
+			{
+				factor.solveHalf(bodies[i], elements.data() + i, halves[i]);
+				Values whole(6 * size_t(n), 0.);
+				for (int side = 0; side < 2; ++side)
+					for (int k = 0; k < 6 && bodies[i][side] >= 0; ++k)
+						whole[size_t(6 * bodies[i][side] + k)] += elements[size_t(i + 6 * side + k)];
+				whole = solved(factor, whole);
+				for (int j = 0; j <= i; ++j)
+				{
+					double expected = 0;
+					for (int side = 0; side < 2; ++side)
+						for (int k = 0; k < 6 && bodies[j][side] >= 0; ++k)
+							expected += elements[size_t(j + 6 * side + k)] * whole[size_t(6 * bodies[j][side] + k)];
+					products.push_back(btElasticPlastic::HalfSolution::multiply(halves[i], halves[j]));
+					// Rounding, times the condition.
+					EXPECT_NEAR(expected, products.back(), 1e-12) << i << " " << j;
+				}
+			}
+			if (factor.getVectorWidth() == 1)
+				continue;
+			if (fused.empty())
+				fused = products;
+			EXPECT_TRUE(sameBits(fused, products)) << width;
+		}
+	}
+}
+
 TEST(BlockFactor, EmptyMatrix)
 {
 	Matrix matrix;

@@ -276,6 +276,10 @@ void BlockFactor::analyse(const BlockMatrix& matrix, int numLast)
 	m_inverse.assign(6 * size_t(n), 0);
 	m_work.assign(6 * size_t(n) + longest + padding, 0);
 	m_isChanged.assign(numPanels, 0);
+	m_column.resize(n);
+	for (int j = 0; j < n; ++j)
+		m_column[m_bodies[j]] = j;
+	m_forward.assign(6 * size_t(n), 0);
 	m_hasFactor = false;
 }
 
@@ -433,6 +437,61 @@ void BlockFactor::solve(double* x) const
 			x[6 * size_t(m_bodies[j]) + r] = m_work[6 * j + r];
 }
 
+int64_t BlockFactor::solveHalf(const int bodies[2], const double b[12], HalfSolution& half) const
+{
+	half.m_panels.clear();
+	half.m_start.clear();
+	half.m_values.clear();
+	for (int side = 0; side < 2; ++side)
+	{
+		if (bodies[side] < 0)
+			continue;
+		double* const own = &m_forward[6 * size_t(m_column[size_t(bodies[side])])];
+		for (int i = 0; i < 6; ++i)
+			own[i] += b[6 * side + i];
+		for (int p = m_panelOf[size_t(bodies[side])]; p >= 0; p = m_parent[size_t(p)])
+			half.m_panels.push_back(p);
+	}
+	std::sort(half.m_panels.begin(), half.m_panels.end());
+	half.m_panels.erase(std::unique(half.m_panels.begin(), half.m_panels.end()), half.m_panels.end());
+	m_kernel->m_solveForward(structure(), m_values.data(), m_inverse.data(), half.m_panels.data(),
+							 int(half.m_panels.size()), m_forward.data(), m_work.data());
+	int64_t numBlocks = 0;
+	for (const int p : half.m_panels)
+	{
+		const BlockPanel& panel = m_panels[size_t(p)];
+		numBlocks += int64_t(panel.m_numColumns) * panel.m_numRows;
+		double* const own = &m_forward[6 * size_t(panel.m_first)];
+		double* const end = own + 6 * panel.m_numColumns;
+		half.m_start.push_back(int(half.m_values.size()));
+		half.m_values.insert(half.m_values.end(), own, end);
+		std::fill(own, end, 0.);
+	}
+	half.m_start.push_back(int(half.m_values.size()));
+	return numBlocks;
+}
+
+double HalfSolution::multiply(const HalfSolution& b, const HalfSolution& c)
+{
+	// Six sums, so that additions do not wait for each other.
+	double sum[6] = {};
+	for (size_t i = 0, j = 0; i < b.m_panels.size() && j < c.m_panels.size();)
+	{
+		if (b.m_panels[i] != c.m_panels[j])
+		{
+			b.m_panels[i] < c.m_panels[j] ? ++i : ++j;
+			continue;
+		}
+		const double *x = &b.m_values[size_t(b.m_start[i])], *y = &c.m_values[size_t(c.m_start[j])];
+		for (const double* const end = x + (b.m_start[i + 1] - b.m_start[i]); x < end; x += 6, y += 6)
+			for (int k = 0; k < 6; ++k)
+				sum[k] += x[k] * y[k];
+		++i;
+		++j;
+	}
+	return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + (sum[4] + sum[5]);
+}
+
 void BlockFactor::getComplement(int numLast, std::vector<double>& complement) const
 {
 	// S = L L^T of the last bodies' rows and columns, column by column.
@@ -474,6 +533,6 @@ int64_t BlockFactor::getMemory() const
 	const auto bytes = [](const auto& v) { return int64_t(v.capacity() * sizeof(v[0])); };
 	return bytes(m_bodies) + bytes(m_panelOf) + bytes(m_parent) + bytes(m_panels) + bytes(m_updates) + bytes(m_runs) +
 		   bytes(m_loads) + bytes(m_below) + bytes(m_values) + bytes(m_inverse) + bytes(m_isChanged) +
-		   bytes(m_changed) + bytes(m_work);
+		   bytes(m_changed) + bytes(m_work) + bytes(m_column) + bytes(m_forward);
 }
 }  // namespace btElasticPlastic

@@ -13,6 +13,18 @@ namespace btElasticPlastic
 {
 class BlockMatrix;
 
+/// y = L^-1 b for a right side b that has few bodies: zero but in the panels of a few bodies and of their ancestors in the elimination
+/// tree. As b^T H^-1 c = (L^-1 b)^T (L^-1 c), such halves give what rows answer to each other's impulses.
+struct HalfSolution
+{
+	std::vector<int> m_panels;     ///< in which y is not zero, in ascending order
+	std::vector<int> m_start;      ///< of each in m_values, and the end
+	std::vector<double> m_values;  ///< the panels' own block columns
+
+	/// b^T H^-1 c
+	static double multiply(const HalfSolution& b, const HalfSolution& c);
+};
+
 /// Sparse Cholesky factor H = L L^T of a symmetric positive definite BlockMatrix.
 ///
 /// analyse() looks at the graph only: it finds an order of elimination that keeps L sparse, and where in L each block goes.
@@ -50,6 +62,11 @@ public:
 
 	/// x = H^-1 x, 6 doubles per body. Leaves x as it is if there is no factor.
 	void solve(double* x) const;
+
+	/// Half of a solution for a right side of two bodies. There must be a factor.
+	/// \param b  of the first body, 6 doubles, then of the second one; a body of -1 has no part
+	/// \return the number of L's blocks that took part
+	int64_t solveHalf(const int bodies[2], const double b[12], HalfSolution& half) const;
 
 	/// What is left of H for the bodies that are eliminated last once all others are: for each vector x of these bodies' motions the least
 	/// x^T H x that the others' motions allow is x^T S x. There must be a factor.
@@ -90,6 +107,8 @@ private:
 	std::vector<char> m_isChanged;  // per panel
 	std::vector<int> m_changed;
 	mutable std::vector<double> m_work;
+	std::vector<int> m_column;              // per body: its place in the order of elimination
+	mutable std::vector<double> m_forward;  // zero between calls of solveHalf()
 
 	void selectKernel();
 	BlockStructure structure() const;

@@ -77,7 +77,7 @@ inline double total(const Sum& sum)
 #endif
 #include "BlockKernel.inl"
 #undef BT_KERNEL
-const BlockKernel Kernel = {factorise, solve, 1};
+const BlockKernel Kernel = {factorise, solve, solveForward, 1};
 }  // namespace Plain
 
 #ifdef BT_KERNEL_X86
@@ -89,7 +89,7 @@ namespace Fused
 #include "NarrowVector.inl"
 #include "BlockKernel.inl"
 #undef BT_KERNEL
-const BlockKernel Kernel = {factorise, solve, Width};
+const BlockKernel Kernel = {factorise, solve, solveForward, Width};
 }  // namespace Fused
 
 namespace Avx2
@@ -111,7 +111,7 @@ const int TileRows = 2, TileColumns = 6;
 #include "WideSum.inl"
 #include "BlockKernel.inl"
 #undef BT_KERNEL
-const BlockKernel Kernel = {factorise, solve, Width};
+const BlockKernel Kernel = {factorise, solve, solveForward, Width};
 }  // namespace Avx2
 
 namespace Avx512
@@ -130,7 +130,7 @@ const int TileRows = 4, TileColumns = 6;
 #include "WideSum.inl"
 #include "BlockKernel.inl"
 #undef BT_KERNEL
-const BlockKernel Kernel = {factorise, solve, Width};
+const BlockKernel Kernel = {factorise, solve, solveForward, Width};
 }  // namespace Avx512
 #endif
 }  // namespace

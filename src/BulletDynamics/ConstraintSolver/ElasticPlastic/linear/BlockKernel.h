@@ -74,13 +74,17 @@ struct BlockKernel
 	/// \param panels   which, in ascending order; null: all
 	/// \param inverse  gets 1 / diagonal of L
 	/// \return false at the first pivot that is not positive by more than rounding errors
-	bool (*m_factorise)(const BlockStructure& s, const double* matrix, const int* panels, int numPanels,
-						double* values, double* inverse);
+	bool (*m_factorise)(const BlockStructure& s, const double* matrix, const int* panels, int numPanels, double* values,
+						double* inverse);
 
 	/// Computes x = (L L^T)^-1 x, in the order of elimination.
 	/// \param work  as many doubles as the longest panel has rows, and Padding
-	void (*m_solve)(const BlockStructure& s, const double* values, const double* inverse, double* x,
-					double* work);
+	void (*m_solve)(const BlockStructure& s, const double* values, const double* inverse, double* x, double* work);
+
+	/// The first half of it, x = L^-1 x.
+	/// \param panels  those outside of which x stays zero, in ascending order; null: all
+	void (*m_solveForward)(const BlockStructure& s, const double* values, const double* inverse, const int* panels,
+						   int numPanels, double* x, double* work);
 
 	int m_width;  ///< doubles in a vector with fused products; 1: plain ones
 

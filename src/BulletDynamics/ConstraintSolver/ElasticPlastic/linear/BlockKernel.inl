@@ -374,18 +374,24 @@ BT_KERNEL inline void solvePanelTransposed(const BlockPanel& panel, const int* b
 	}
 }
 
-BT_KERNEL void solve(const BlockStructure& s, const double* values, const double* inverse, double* x,
-					 double* work)
+BT_KERNEL void solveForward(const BlockStructure& s, const double* values, const double* inverse, const int* panels,
+							int numPanels, double* x, double* work)
 {
-	for (int i = 0; i < s.m_numPanels; ++i)
+	for (int i = 0; i < numPanels; ++i)
 	{
-		const BlockPanel& panel = s.m_panels[i];
+		const BlockPanel& panel = s.m_panels[panels ? panels[i] : i];
 		const double* inversePanel = inverse + 6 * size_t(panel.m_first);
 		if (panel.m_numColumns == 1 && panel.m_numRows <= 4)
 			solveColumn(panel, s.m_below + panel.m_below, values + panel.m_values, inversePanel, x);
 		else
 			solvePanel(panel, s.m_below + panel.m_below, values + panel.m_values, inversePanel, x, work);
 	}
+}
+
+BT_KERNEL void solve(const BlockStructure& s, const double* values, const double* inverse, double* x,
+					 double* work)
+{
+	solveForward(s, values, inverse, nullptr, s.m_numPanels, x, work);
 	for (int i = s.m_numPanels - 1; i >= 0; --i)
 	{
 		const BlockPanel& panel = s.m_panels[i];

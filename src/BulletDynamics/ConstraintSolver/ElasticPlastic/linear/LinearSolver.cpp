@@ -151,6 +151,13 @@ bool LinearSolver::solve(std::vector<double>& x)
 	return true;
 }
 
+void LinearSolver::solveHalf(const int bodies[2], const double b[12], HalfSolution& half)
+{
+	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime);
+	const int64_t numBlocks = m_plan->m_factor.solveHalf(bodies, b, half);
+	m_statistics.m_work += (long long)(NANOSECONDS_A_BLOCK / 2 * double(numBlocks));
+}
+
 namespace
 {
 double scalarProduct(const std::vector<double>& x, const std::vector<double>& y)

@@ -67,6 +67,12 @@ public:
 	/// x = H^-1 x, 6 doubles per body. \return false, and x means nothing, if H is not positive definite
 	bool solve(std::vector<double>& x);
 
+	/// Whether the last solution was by a factor of the present H, so that there are halves of solutions.
+	bool hasHalves() const { return m_factorState == CURRENT; }
+
+	/// See BlockFactor::solveHalf.
+	void solveHalf(const int bodies[2], const double b[12], HalfSolution& half);
+
 	/// Whether the factor of an island of so many bodies may be kept. If not, only its graph's plan stays here, and any
 	/// LinearSolver gives the same bits.
 	static bool mayKeepFactor(int numBodies) { return numBodies > 100; }

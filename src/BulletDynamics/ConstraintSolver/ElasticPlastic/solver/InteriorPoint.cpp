@@ -366,7 +366,7 @@ void InteriorPoint::moveFriction(const SystemInput& input)
 			continue;
 		const double change = m_impulse[r] * (bound / m_upper[r] - 1);
 		m_impulse[r] += change;
-		addImpulse(friction, change, m_momentum);
+		addImpulse(friction.m_body, friction.m_J, change, m_momentum);
 		m_upper[r] = bound;
 		m_lower[r] = -bound;
 	}

@@ -3,6 +3,8 @@
 
 #include "Jacobian.h"
 
+#include <algorithm>
+
 #include "../linear/Vector3.h"
 
 namespace btElasticPlastic
@@ -135,18 +137,63 @@ void addImpulses(const SystemInput& input, const double* impulses, std::vector<d
 		}
 	}
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
-		addImpulse(row, impulses[row.m_row], momentum);
+		addImpulse(row.m_body, row.m_J, impulses[row.m_row], momentum);
 }
 
-void addImpulse(const SystemInput::SingleRow& row, double impulse, std::vector<double>& momentum)
+void addImpulse(const int body[2], const double J[12], double impulse, std::vector<double>& momentum)
 {
 	for (int side = 0; side < 2; ++side)
 	{
-		if (row.m_body[side] < 0)
+		if (body[side] < 0)
 			continue;
-		double* const to = &momentum[6 * size_t(row.m_body[side])];
-		addScaled(impulse, row.m_J + 6 * side, to);
-		addScaled(impulse, row.m_J + 6 * side + 3, to + 3);
+		double* const to = &momentum[6 * size_t(body[side])];
+		addScaled(impulse, J + 6 * side, to);
+		addScaled(impulse, J + 6 * side + 3, to + 3);
+	}
+}
+
+void getJacobian(const SystemInput& input, int row, int body[2], double J[12])
+{
+	const auto single = std::lower_bound(input.m_singleRows.begin(), input.m_singleRows.end(), row,
+										 [](const SystemInput::SingleRow& a, int r) { return a.m_row < r; });
+	if (single != input.m_singleRows.end() && single->m_row == row)
+	{
+		std::copy(single->m_body, single->m_body + 2, body);
+		std::copy(single->m_J, single->m_J + 12, J);
+		return;
+	}
+	const SystemInput::Unit& unit =
+		*(std::upper_bound(input.m_units.begin(), input.m_units.end(), row,
+						   [](int r, const SystemInput::Unit& a) { return r < a.m_firstRow; }) -
+		  1);
+	// Along the unit's three axes, and about them.
+	double onAxis[6] = {};
+	const int r = row - unit.m_firstRow, fibre = r - unit.getNumPlainRows();
+	if (fibre < 0)
+		onAxis[unit.m_dof[r]] = 1;
+	else
+	{
+		const SystemInput::Fibre& place = input.m_fibres[size_t(unit.m_firstFibre + fibre)];
+		onAxis[0] = 1;
+		onAxis[4] = place.m_z;
+		onAxis[5] = -place.m_y;
+	}
+	double along[3] = {}, about[3] = {}, moment[3];
+	for (int axis = 0; axis < 3; ++axis)
+	{
+		addScaled(onAxis[axis], unit.m_axis[axis], along);
+		addScaled(onAxis[3 + axis], unit.m_axis[axis], about);
+	}
+	for (int side = 0; side < 2; ++side)
+	{
+		const double sign = side == 0 ? 1 : -1;
+		body[side] = unit.m_body[side];
+		cross(unit.m_arm[side], along, moment);
+		for (int i = 0; i < 3; ++i)
+		{
+			J[6 * side + i] = sign * along[i];
+			J[6 * side + 3 + i] = sign * (moment[i] + about[i]);
+		}
 	}
 }
 

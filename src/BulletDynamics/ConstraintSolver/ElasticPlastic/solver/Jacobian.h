@@ -25,8 +25,11 @@ void takeFromTargets(SystemInput& input, const std::vector<double>& velocity, co
 /// momentum += sum J^T lambda.
 void addImpulses(const SystemInput& input, const double* impulses, std::vector<double>& momentum);
 
-/// momentum += J^T lambda of one row.
-void addImpulse(const SystemInput::SingleRow& row, double impulse, std::vector<double>& momentum);
+/// The Jacobian of any row, and its bodies.
+void getJacobian(const SystemInput& input, int row, int body[2], double J[12]);
+
+/// momentum += J^T lambda of a row of these bodies.
+void addImpulse(const int body[2], const double J[12], double impulse, std::vector<double>& momentum);
 
 /// momentum += what eliminated bodies leave.
 void addCondensedMomentum(const SystemInput& input, std::vector<double>& momentum);

@@ -53,6 +53,9 @@ const int64_t MANY_OPERATIONS = 30000000;
 /// often it may.
 const int RINGS = 6, RINGS_MORE = 4, MOST_PLACES = 4;
 
+/// How often rows may join a working set, and how many guesses have sets.
+const int MOST_TURNS = 16, MOST_GUESSES = 4;
+
 /// Where contacts' loops have taken so many Newton steps, in an island of more than few bodies, the interior point method takes over.
 const int MANY_STEPS = 15;
 
@@ -72,7 +75,11 @@ struct System::Place
 };
 
 System::System(btElasticPlasticStatistics& statistics)
-	: m_statistics(statistics), m_linearSolver(statistics), m_matrix(m_linearSolver), m_interior(statistics)
+	: m_statistics(statistics),
+	  m_linearSolver(statistics),
+	  m_matrix(m_linearSolver),
+	  m_interior(statistics),
+	  m_workingSet(statistics)
 {
 }
 
@@ -184,7 +191,11 @@ bool System::guess(const SystemInput& input)
 	std::fill(m_velocity.begin(), m_velocity.end(), 0.);
 	addImpulses(input, m_admissible.getImpulses(0), m_velocity);
 	addCondensedMomentum(input, m_velocity);
-	return solveLinear(input, m_velocity);
+	if (!solveLinear(input, m_velocity))
+		return false;
+	if (mayUseSets(input))
+		m_workingSet.begin(m_admissible, m_velocity);
+	return true;
 }
 
 /// Whether a guess is right: no bound changes at the dv that solves the linear problem for the guessed ones exactly.
@@ -192,6 +203,38 @@ bool System::isRight(const SystemInput& input)
 {
 	evaluate(input);
 	return !m_boundsChanged;
+}
+
+/// Where a factor costs next to nothing, Newton's steps do, too; a large problem has places instead.
+bool System::mayUseSets(const SystemInput& input) const { return input.getNumBodies() > FEW_BODIES && !isLarge(input); }
+
+/// Finds the bounds by working sets, after a guess() that was not right. If that fails, all is as it was before.
+bool System::findBounds(const SystemInput& input)
+{
+	const std::vector<double> first = m_velocity;
+	for (int k = 0; k < MOST_GUESSES; ++k)
+	{
+		// Where a set has become too large, its bounds are the next guess.
+		if (k > 0 && !guess(input))
+			break;
+		if (k > 0 && isRight(input))
+			return true;
+		int turn = 0;
+		for (; turn < MOST_TURNS; ++turn)
+		{
+			if (isSpent(m_workingSet.getMostWork()) ||
+				!m_workingSet.solve(input, m_admissible, m_along, m_linearSolver, m_velocity))
+				break;
+			evaluate(input);
+			if (m_workingSet.isRight(m_admissible))
+				return true;
+		}
+		if (turn == 0)
+			break;
+	}
+	m_velocity = first;
+	evaluate(input);
+	return false;
 }
 
 /// From the last evaluate() on. \param mayCrawl  whether to go on where steps become short
@@ -264,6 +307,8 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 			return false;
 		if (isRight(input))
 			return true;
+		if (mayUseSets(input) && m_linearSolver.hasHalves())
+			findBounds(input);
 		bool mayCrawl = m_settings.m_maxInteriorIterations == 0;
 		if (isLarge(input))
 		{

@@ -14,6 +14,7 @@
 #include "InteriorPoint.h"
 #include "SystemInput.h"
 #include "SystemMatrix.h"
+#include "WorkingSet.h"
 
 namespace btElasticPlastic
 {
@@ -38,8 +39,8 @@ struct SystemResult
 /// whose Hessian is H = M + sum J^T (d lambda / du) J: symmetric positive definite, one 6x6 block per body and per pair of
 /// joined bodies. Semismooth Newton with a line search, begun at the solution for the last step's set of bounded rows
 /// (begun with none it would have to find that set step by step), ends after 1 to 3 factorisations where few rows reach or
-/// leave a bound in a step. Where hundreds do, its steps become short: then InteriorPoint comes close to the solution, and Newton's
-/// method ends the search from there. Loops around it make contacts hard, see AugmentedContacts.
+/// leave a bound in a step. Where some dozens do, a WorkingSet finds them with the first factor. Where hundreds do, steps become short:
+/// then InteriorPoint comes close to the solution, and Newton's method ends the search from there. Loops around it make contacts hard, see AugmentedContacts.
 ///
 /// In a large problem the search runs in the places only where something happens, see Condensation.
 ///
@@ -127,6 +128,8 @@ private:
 	bool finish();
 	bool guess(const SystemInput& input);
 	bool isRight(const SystemInput& input);
+	bool mayUseSets(const SystemInput& input) const;
+	bool findBounds(const SystemInput& input);
 	bool findMinimum(SystemInput& input, Effort effort);
 	bool newton(const SystemInput& input, bool mayCrawl, int maxSteps);
 	void releaseFriction(SystemInput& input);
@@ -156,6 +159,7 @@ private:
 	AdmissibleBox m_admissible;
 	AugmentedContacts m_contacts;
 	InteriorPoint m_interior;
+	WorkingSet m_workingSet;
 	double m_phiTerms = 0;    // sum of the absolute values of phi's terms
 	long long m_workEnd = 0;  // of the statistics' count, at which this island's is spent
 	/// Where something happens in a large problem; null in the problem inside.
