@@ -159,7 +159,7 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
 		if (attempt.m_next == level)
 		{
-			remember(island, level, attempt.m_open, task.m_settings.m_innerError);
+			remember(island, level, attempt, task.m_settings.m_innerError);
 			return;
 		}
 		if (isWhole)
@@ -193,8 +193,9 @@ InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 	++task.m_numSolutions;
 	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
 	const double dt = task.m_info.m_timeStep;
-	const double open = measure(task.m_island, dt, dt).getMendableShare();
-	return {open, refine(task, 0, open)};
+	const OpenShare left = measure(task.m_island, dt, dt);
+	const double open = left.getMendableShare();
+	return {open, left.getShare(), refine(task, 0, open)};
 }
 
 /// Leaves the step in the middle where it goes on at another level.
@@ -212,8 +213,8 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	m_state.shiftFreeVelocities((dt - h) / 2);
 	m_state.shiftJoinedVelocities(island, h);
 	m_impulses.scale(island, share);
-	Attempt attempt = {0, level};
-	double open = 0;
+	Attempt attempt = {0, 0, level};
+	double open = 0, doubted = 0;
 	bool isLoaded = false;
 	for (int k = 0; k < steps; ++k)
 	{
@@ -224,9 +225,12 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / (steps - k), 1ll) : 0);
 		const OpenShare left = measure(island, h, dt);
 		btSetMax(open, left.getMendableShare());
+		btSetMax(doubted, left.getShare());
 		isLoaded = isLoaded || left.isLoaded();
 		// What stays clear of yield asks for no shorter steps. It is calm but not still: longer steps damp it.
-		attempt.m_open = isLoaded ? open : btMin(open, task.m_settings.m_innerError * CALM_INNER_SHARE);
+		const double most = isLoaded ? HUGE_VAL : task.m_settings.m_innerError * CALM_INNER_SHARE;
+		attempt.m_open = btMin(open, most);
+		attempt.m_doubted = btMin(doubted, most);
 		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
 		attempt.m_next =
 			2 * k < steps && isTooMuch(task, level) ? mostLevel(task, level) : refine(task, level, attempt.m_open);
@@ -273,12 +277,14 @@ int InnerSteps::refine(Task& task, int level, double share) const
 	return btMax(level, mostLevel(task, btMin(wanted, task.m_maxLevel)));
 }
 
-/// An oscillation has moments at which a step leaves little open.
-void InnerSteps::remember(const SolverGroup& island, int level, double share, double error) const
+/// An oscillation has moments at which a step leaves little open. What may be rounding asks for no shorter steps, and gives no leave for
+/// far longer ones at once: it grows by the square of the step if it is none.
+void InnerSteps::remember(const SolverGroup& island, int level, const Attempt& attempt, double error) const
 {
 	InnerRhythm rhythm = rhythmOf(island);
-	const bool isCalm = share <= error * CALM_INNER_SHARE, isStill = share < error * NO_INNER_SHARE;
-	const int spare = share > 0 ? int(floor(0.5 * log2(btMax(error / (8 * share), 1.)))) : MOST_SPARE;
+	const double doubted = attempt.m_doubted;
+	const bool isCalm = attempt.m_open <= error * CALM_INNER_SHARE, isStill = doubted < error * NO_INNER_SHARE;
+	const int spare = doubted > 0 ? int(floor(0.5 * log2(btMax(error / (8 * doubted), 1.)))) : MOST_SPARE;
 	const int calm = isCalm ? btMin(rhythm.m_calm + 1, MOST_CALM_INNER_STEPS) : 0;
 	const bool isNew = calm <= 1 || (isStill && calm < CALM_INNER_STEPS);
 	rhythm.m_level = static_cast<unsigned char>(level);

@@ -71,8 +71,9 @@ private:
 	/// To solve the step at a level.
 	struct Attempt
 	{
-		double m_open;  ///< the most that a step of it has left open
-		int m_next;     ///< the level at which the island goes back and begins again; the same one: it is solved
+		double m_open;     ///< the most that a step of it has left open and shorter steps would not
+		double m_doubted;  ///< with what may be rounding
+		int m_next;        ///< the level at which the island goes back and begins again; the same one: it is solved
 	};
 
 	void take(Task& task, const JointRegistry& registry);
@@ -82,7 +83,7 @@ private:
 	bool isTooMuch(const Task& task, int level) const;
 	int refine(Task& task, int level, double share) const;
 	int beginLevel(const Task& task);
-	void remember(const SolverGroup& island, int level, double share, double error) const;
+	void remember(const SolverGroup& island, int level, const Attempt& attempt, double error) const;
 
 	IslandState m_state;
 	StepImpulses m_impulses;
