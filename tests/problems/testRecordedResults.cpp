@@ -201,7 +201,7 @@ const Recorded RECORDS[] = {
 	{"frame",
 	 frame,
 	 Solver::Direct,
-	 {0x2307a8b15aff3064, 0x10241e1e9e0307c0},
+	 {0xb0a221237f23630c, 0x10241e1e9e0307c0},
 	 {0x48e3e0c4312a902b, 0x5e53df70695cf3b3}},
 	{"frame",
 	 frame,
