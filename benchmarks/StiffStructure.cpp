@@ -88,8 +88,11 @@ void StiffStructure::join(btRigidBody& a, btRigidBody& b, const btVector3& place
 						  const Part& part)
 {
 	const btTransform frame(along.m_turn, place);
-	const btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
-		concrete(), btElasticPlasticSection::rectangle(part.m_width, part.m_height), part.m_length, part.m_length);
+	btElasticPlasticSection section = btElasticPlasticSection::rectangle(part.m_width, part.m_height);
+	if (m_settings.fibres > 0)
+		section = section.withFibres(m_settings.fibres);
+	const btElasticPlasticCapacity capacity =
+		btElasticPlasticCapacity::fromMember(concrete(), section, part.m_length, part.m_length);
 	++m_numJoints;
 	// Not by the world's method, which keeps a joint of ours beside each of Bullet's: memory counts here.
 	if (m_settings.joints == Joints::ElasticPlastic)

@@ -29,6 +29,7 @@ public:
 		int size = 10;
 		Joints joints = Joints::ElasticPlastic;  ///< or Springs: what a game has without us
 		Solver solver = Solver::Direct;
+		int fibres = 0;            ///< of each section, 0: each degree of freedom yields by itself
 		bool collapsing = false;   ///< everything is given a push that makes joints yield all over
 		bool splitIslands = true;  ///< Bullet's default; if not, our solver splits them, and Bullet's takes all at once
 	};

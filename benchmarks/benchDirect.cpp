@@ -15,13 +15,14 @@ namespace
 using namespace ep;
 
 void Direct(benchmark::State& state, StiffStructure::Shape shape, bool collapsing, bool splitIslands = true,
-			int threads = 1)
+			int threads = 1, int fibres = 0)
 {
 	StiffStructure::Settings settings;
 	settings.shape = shape;
 	settings.size = int(state.range(0));
 	settings.collapsing = collapsing;
 	settings.splitIslands = splitIslands;
+	settings.fibres = fibres;
 	StiffStructure ours(settings);
 	settings.joints = Joints::Springs;
 	settings.solver = Solver::Stock;
@@ -84,4 +85,18 @@ EP_DIRECT(frame_elastic, Frame, false, 8, 40);
 EP_DIRECT(wall_elastic, Wall, false, 70, 40);
 EP_DIRECT(frame_collapsing, Frame, true, 8, 12);
 EP_DIRECT(wall_collapsing, Wall, true, 70, 12);
+
+// The same with sections that yield as a whole.
+#define EP_FIBRES(name, shape, collapsing, size, steps)                                         \
+	BENCHMARK_CAPTURE(Direct, name, StiffStructure::Shape::shape, collapsing, true, 1, 8)       \
+		->Arg(size)                                                                              \
+		->Iterations(steps)                                                                      \
+		->UseManualTime()                                                                        \
+		->Unit(benchmark::kMicrosecond)
+
+EP_FIBRES(chain_8_fibres, Chain, false, 100, 1000);
+EP_FIBRES(frame_elastic_8_fibres, Frame, false, 8, 40);
+EP_FIBRES(wall_elastic_8_fibres, Wall, false, 70, 40);
+EP_FIBRES(frame_collapsing_8_fibres, Frame, true, 8, 12);
+EP_FIBRES(wall_collapsing_8_fibres, Wall, true, 70, 12);
 }  // namespace

@@ -117,6 +117,29 @@ TEST(Condensation, AgreesWithTheWhole)
 	}
 }
 
+/// Where much of a structure flows, here and there, nearly all that is inside has neighbours outside. What is left of these is a dense
+/// matrix, whose factor would take several times as much as that of the whole.
+TEST(Condensation, IsNotForManyPlacesWithALongBorder)
+{
+	const int columns = 40, rows = 40, apart = 7;
+	const SystemInput input = grid(columns, rows, -1, 0);
+	btElasticPlasticStatistics statistics;
+	btElasticPlastic::LinearSolver whole(statistics);
+	btElasticPlastic::SystemMatrix matrix(whole);
+	matrix.begin(input, 0, 1);
+	btElasticPlastic::AdmissibleBox box;
+	box.begin(input);
+	std::vector<int> bodies;
+	for (int b = 0; b < input.getNumBodies(); ++b)
+		if (b % apart == 0 && b / columns % apart == 0)
+			bodies.push_back(b);
+	btElasticPlastic::Condensation inOnePlace(statistics), inMany(statistics);
+	ASSERT_TRUE(inOnePlace.choose(input, {bodies[bodies.size() / 2]}, 6));
+	EXPECT_TRUE(inOnePlace.condense(input, box, whole.getNumOperations()));
+	ASSERT_TRUE(inMany.choose(input, bodies, 6));
+	EXPECT_FALSE(inMany.condense(input, box, whole.getNumOperations()));
+}
+
 TEST(Condensation, LooksFurtherWhereRowsOutsideReachABound)
 {
 	// A push that makes rows flow up to the held edge, far beyond the first place.

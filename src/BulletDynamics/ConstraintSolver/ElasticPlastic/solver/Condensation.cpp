@@ -231,9 +231,13 @@ bool Condensation::findMomentum()
 	return true;
 }
 
-bool Condensation::condense(const SystemInput& input, const AdmissibleBox& box)
+bool Condensation::condense(const SystemInput& input, const AdmissibleBox& box, int64_t operations)
 {
 	split(input);
+	const double border = 6 * double(m_input.m_condensed.m_bodies.size());
+	// Each step of the search inside takes the border's factor.
+	if (border * border * border / 3 > double(operations))
+		return false;
 	fillRows(input, box);
 	m_matrix.begin(m_outer, 0, 1, int(m_input.m_condensed.m_bodies.size()));
 	m_matrix.assembleAnew(m_outer, m_outerBox);

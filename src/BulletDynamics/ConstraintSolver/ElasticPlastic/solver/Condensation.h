@@ -4,6 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_CONDENSATION_H
 #define BT_ELASTIC_PLASTIC_CONDENSATION_H
 
+#include <stdint.h>
 #include <vector>
 
 #include "AdmissibleBox.h"
@@ -40,9 +41,10 @@ public:
 	bool enlarge(const SystemInput& input, const std::vector<int>& bodies, int rings);
 
 	/// Eliminates the bodies outside.
-	/// \param box  its bounds are those at which rows outside stay
-	/// \return false if that fails
-	bool condense(const SystemInput& input, const AdmissibleBox& box);
+	/// \param box         its bounds are those at which rows outside stay
+	/// \param operations  of a factor of the whole
+	/// \return false if that fails, or if the border is so long that its matrix, which is dense, would take too much of that
+	bool condense(const SystemInput& input, const AdmissibleBox& box, int64_t operations);
 
 	/// The same after the rows' targets have changed; bodies, Jacobians and bounds have not.
 	bool condenseAgain(const SystemInput& input, const AdmissibleBox& box);

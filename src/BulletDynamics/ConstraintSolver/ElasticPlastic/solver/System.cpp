@@ -526,7 +526,8 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 	else
 	{
 		findPlaces(input, bodies);
-		if (bodies.empty() || !condensation.choose(input, bodies, RINGS) || !condensation.condense(input, m_admissible))
+		if (bodies.empty() || !condensation.choose(input, bodies, RINGS) ||
+			!condensation.condense(input, m_admissible, m_linearSolver.getNumOperations()))
 		{
 			condensation.clear();
 			m_contacts.begin(input, m_admissible);
@@ -588,7 +589,8 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 			return SOLVED;
 		}
 		m_admissible.setResult(held.m_impulses, held.m_bounds);
-		if (!condensation.enlarge(input, bodies, RINGS_MORE) || !condensation.condense(input, m_admissible))
+		if (!condensation.enlarge(input, bodies, RINGS_MORE) ||
+			!condensation.condense(input, m_admissible, m_linearSolver.getNumOperations()))
 			break;
 	}
 	condensation.clear();
