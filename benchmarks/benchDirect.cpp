@@ -87,11 +87,11 @@ EP_DIRECT(frame_collapsing, Frame, true, 8, 12);
 EP_DIRECT(wall_collapsing, Wall, true, 70, 12);
 
 // The same with sections that yield as a whole.
-#define EP_FIBRES(name, shape, collapsing, size, steps)                                         \
-	BENCHMARK_CAPTURE(Direct, name, StiffStructure::Shape::shape, collapsing, true, 1, 8)       \
-		->Arg(size)                                                                              \
-		->Iterations(steps)                                                                      \
-		->UseManualTime()                                                                        \
+#define EP_FIBRES(name, shape, collapsing, size, steps)                                   \
+	BENCHMARK_CAPTURE(Direct, name, StiffStructure::Shape::shape, collapsing, true, 1, 8) \
+		->Arg(size)                                                                       \
+		->Iterations(steps)                                                               \
+		->UseManualTime()                                                                 \
 		->Unit(benchmark::kMicrosecond)
 
 EP_FIBRES(chain_8_fibres, Chain, false, 100, 1000);

@@ -170,11 +170,11 @@ TEST(Fibres, HoldABeamOfRealSteelThatIsStruck)
 	// The same with mass and elasticity of its own, in 20 parts, struck in the middle by 50 kg: a planar beam of as many parts with 24 strips, by
 	// another program at 1/15360 s. Moments and tension each by itself stop the last one at 39 mm.
 	const double exact[][2] = {{1, 9.93e-3}, {2, 23.07e-3}, {4, 46.2e-3}};
-	const int half = 10, rate = 15360;
+	const int half = 10, rate = 30720;
 	const btScalar part = btScalar(0.5 / half), side = btScalar(SIDE);
 	btElasticPlasticMaterial steel = stiffSteel(1);
 	steel.m_dampingRatio = 0;
-	const btElasticPlasticSection section = btElasticPlasticSection::rectangle(side, side).withFibres();
+	const btElasticPlasticSection section = strips(24);
 	for (const auto& blow : exact)
 	{
 		World world(Solver::Direct, btVector3(0, 0, 0));
@@ -209,8 +209,9 @@ TEST(Fibres, HoldABeamOfRealSteelThatIsStruck)
 			world.step(btScalar(1) / rate);
 			most = std::fmax(most, -double(middle->getCenterOfMassPosition().y()));
 		}
-		// With four times the step it is another 1.6, 1.3 and 0.7 % less: of what is left, half a per cent is the step's.
-		EXPECT_NEAR(blow[1], most, 0.015 * blow[1]) << blow[0];
+		// The other program's step has an error of that size, too. By its strips this beam is -1.1, -0.3, +0.4 % off at 1/15360 s and +0.3, +1.0, +1.2 %
+		// at 1/245760 s, in the first order of the step.
+		EXPECT_NEAR(blow[1], most, 0.01 * blow[1]) << blow[0];
 	}
 }
 
