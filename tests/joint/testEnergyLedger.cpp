@@ -111,41 +111,52 @@ TEST(EnergyLedger, FreeStructuresGainNothing)
 			}
 }
 
-/// Places are half a step ahead of velocities, so a joint's springs and its flow would be ahead of what bodies have given. Held back in
-/// its first step only, they were by more than 0.1 % in 14 of 8000 such runs, by 2.9 % at worst.
-void expectToldNoMoreThanHad(const Method& method, double share)
+/// Places are half a step ahead of velocities, so a joint's springs and its flow would be ahead of what bodies have given.
+void expectToldNoMoreThanHad(const Method& method, unsigned seed, double share)
 {
 	for (const bool changes : {false, true})
-		for (unsigned seed = 0; seed < 1000; ++seed)
+	{
+		SCOPED_TRACE(testing::Message() << "changes " << changes << ", seed " << seed);
+		FreeStructure structure(method, seed);
+		World& world = structure.m_world;
+		const double dt = structure.spread(1. / 1000, 1. / 30), first = world.kineticEnergy();
+		const double ahead = share * first;
+		for (int i = 0; i < 100; ++i)
 		{
-			SCOPED_TRACE(testing::Message() << "changes " << changes << ", seed " << seed);
-			FreeStructure structure(method, seed);
-			World& world = structure.m_world;
-			const double dt = structure.spread(1. / 1000, 1. / 30), first = world.kineticEnergy();
-			const double ahead = share * first;
-			for (int i = 0; i < 100; ++i)
+			world.step(btScalar(changes ? dt * structure.spread(0.3, 1 / 0.3) : dt));
+			double work = 0, flowed = 0, stored = 0;
+			for (const btElasticPlasticJoint* joint : world.joints())
 			{
-				world.step(btScalar(changes ? dt * structure.spread(0.3, 1 / 0.3) : dt));
-				double work = 0, flowed = 0, stored = 0;
-				for (const btElasticPlasticJoint* joint : world.joints())
-				{
-					work += joint->getWork();
-					flowed += joint->getPlasticEnergy();
-					stored += joint->isBroken() ? 0 : joint->getElasticEnergy();
-				}
-				ASSERT_LE(world.kineticEnergy(), first + ahead) << i;
-				ASSERT_LE(world.kineticEnergy() + flowed + stored, first + ahead) << i;
-				ASSERT_LE(flowed, work + ahead) << i;
+				work += joint->getWork();
+				flowed += joint->getPlasticEnergy();
+				stored += joint->isBroken() ? 0 : joint->getElasticEnergy();
 			}
+			ASSERT_LE(world.kineticEnergy(), first + ahead) << i;
+			ASSERT_LE(world.kineticEnergy() + flowed + stored, first + ahead) << i;
+			ASSERT_LE(flowed, work + ahead) << i;
 		}
+	}
 }
 
 TEST(EnergyLedger, FreeStructuresOfTheDirectFormTellNoMoreThanTheyHad)
 {
-	// At most 1e-5 in these; of 80 000 runs with other seeds 10 are above 1e-3.
-	expectToldNoMoreThanHad(withoutInnerSteps(), 1e-4);
-	// At most 3.4e-4: joints so stiff that they flow in the first of 32 inner steps.
-	expectToldNoMoreThanHad(Solver::Direct, 1e-3);
+	for (unsigned seed = 0; seed < 1000; ++seed)
+	{
+		// Gyroscopic torques of Bullet's and rounding.
+		expectToldNoMoreThanHad(withoutInnerSteps(), seed, 1e-4);
+		// At most 3.8e-4: joints so stiff that they flow in the first of 32 inner steps.
+		expectToldNoMoreThanHad(Solver::Direct, seed, 1e-3);
+	}
+}
+
+TEST(EnergyLedger, FreeStructuresThatFlowOnTellNoMoreThanTheyHad)
+{
+	// Of 40 000 seeds the ones in which a joint whose debt had been told, or that had none, was ahead by 0.1 to 1.1 % of the start: turned
+	// ever faster by the others, it flows by more than bodies have given.
+	for (const unsigned seed : {6410u, 15274u, 22486u, 24272u, 25974u, 28820u, 29688u, 34616u})
+		expectToldNoMoreThanHad(withoutInnerSteps(), seed, 1e-4);
+	for (const unsigned seed : {7077u, 15045u})
+		expectToldNoMoreThanHad(Solver::Direct, seed, 1e-4);
 }
 
 TEST(EnergyLedger, KeepsMomentum)

@@ -565,7 +565,7 @@ double JointModel::paidShare() const
 	if (m_state.m_storedEnergy >= 0 || dissipated <= 0)
 		return 1;
 	// What springs are ahead is held back of their own energy.
-	const double owed = -m_state.m_storedEnergy - (m_state.m_solvedExactly ? springsAhead() : 0);
+	const double owed = -m_state.m_storedEnergy - (m_state.m_solvedExactly && !m_state.m_broken ? springsAhead() : 0);
 	return fmin(fmax(1 - owed / dissipated, 0), 1);
 }
 
@@ -586,17 +586,27 @@ double JointModel::springsAhead() const
 	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && areFibres && m_state.m_solvedExactly; ++i)
 		rate += double(m_state.m_force[i]) * double(m_capacity.couplingCompliance(i)) *
 				double(m_state.m_forceRate[btElasticPlasticCapacity::coupledWith(i)]);
-	return fmax(fmin(0.5 * double(m_state.m_lastStep) * rate, springEnergy() + dissipatedEnergy() - m_state.m_work), 0);
+	const double springs = springEnergy();
+	return fmax(
+		fmin(fmin(0.5 * double(m_state.m_lastStep) * rate, springs + dissipatedEnergy() - m_state.m_work), springs), 0);
 }
 
 /// Before the first step nothing is behind a joint, and its force begins as that of a leapfrog does: all that it takes until it unloads, its flow
 /// too, is half a step ahead. A step that is longer than the next leaves it ahead by more, which stays while the joint takes as much in a step
-/// of the world. Under a load that stays it may never be given: that is halved from step to step.
-void JointModel::findOwed(double share, bool isNew, double taken)
+/// of the world. Under a load that stays, or where a contact has set the bodies moving, it may never be given: that is halved from step to step.
+/// On what nothing acts from outside, there is nobody else who could have given it: all that a step adds is owed until bodies have.
+void JointModel::findOwed(double share, bool isNew, double taken, const double* aheadBefore)
 {
-	if (m_isPaper || (!isNew && m_state.m_storedEnergy >= 0))
+	if (m_isPaper || (!aheadBefore && !isNew && m_state.m_storedEnergy >= 0))
 		return;
-	const double ahead = fmax(springEnergy() + dissipatedEnergy() - m_state.m_work, 0), owed = -m_state.m_storedEnergy;
+	const double ahead = fmax(aheadOfWork(), 0), owed = -m_state.m_storedEnergy;
+	if (aheadBefore)
+	{
+		const double told = isNew ? 0 : fmax(*aheadBefore - fmax(owed, 0), 0);
+		if (owed > 0 || ahead > told)
+			m_state.m_storedEnergy = -fmax(ahead - told, 0);
+		return;
+	}
 	const double lasting = fmax(pow(0.5, share) * owed, fmin(owed, taken / share));
 	m_state.m_storedEnergy = -(isNew ? ahead : fmin(ahead, fmax(lasting, 0.5 * taken)));
 }

@@ -106,7 +106,11 @@ struct JointModel
 	/// \param share  of the world's step: 1, or less of an inner one
 	/// \param isNew  the joint has its first step of the world
 	/// \param taken  by its force along the way of the step, at the velocities of its end [J]
-	void findOwed(double share, bool isNew, double taken);
+	/// \param aheadBefore  aheadOfWork() before the step if nothing acts from outside on what the joint is part of, else null
+	void findOwed(double share, bool isNew, double taken, const double* aheadBefore);
+
+	/// By how much what the joint holds and has dissipated is more than bodies have given it [J].
+	double aheadOfWork() const { return springEnergy() + dissipatedEnergy() - m_state.m_work; }
 
 	/// By flow and by damping, whether it has been given for or not [J].
 	double dissipatedEnergy() const { return m_state.m_plasticEnergy + m_state.m_dampingEnergy; }

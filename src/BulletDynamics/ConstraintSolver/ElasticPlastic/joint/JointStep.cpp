@@ -651,6 +651,7 @@ int JointStep::commit(double share, bool isNew)
 	}
 
 	const btScalar rate = 1 / m_dt;
+	const double aheadBefore = m_isFree ? m_model.aheadOfWork() : 0;
 	bool flowed = false;
 	const bool isCut = m_isCut && !m_model.m_isPaper;
 	ReturnMapping mappedRows[BT_EP_DOF_COUNT];
@@ -722,7 +723,7 @@ int JointStep::commit(double share, bool isNew)
 		double power = 0;
 		for (int r = 0, rows = m_numRows; r < rows; ++r)
 			power -= double(state.m_force[m_row[r].m_dof]) * double(m_row[r].m_velocity1);
-		m_model.findOwed(share, isNew, m_dt * power);
+		m_model.findOwed(share, isNew, m_dt * power, m_isFree ? &aheadBefore : nullptr);
 	}
 	revert();
 	m_model.moveReference(unloaded);

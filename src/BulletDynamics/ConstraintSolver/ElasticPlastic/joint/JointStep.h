@@ -71,6 +71,9 @@ public:
 	/// Tells that the impulses are of a search that has been cut: they obey the law, and do not belong to the deformation.
 	void setCut() { m_isCut = true; }
 
+	/// Whether nothing acts from outside on what the joint is part of: no load, no contact with and no joint to what moves by itself.
+	void setFree(bool isFree) { m_isFree = isFree; }
+
 	/// That the bodies' places move in the step beside their velocities, to take penetration back. The joint's reference moves along:
 	/// no body has given what a spring would store of it.
 	/// \param linear, angular  velocities of that motion, of both bodies
@@ -219,7 +222,7 @@ private:
 	btScalar m_withheldStep = 0;
 	btScalar m_erp = 0;
 	double m_given = 0;  ///< see setWork()
-	bool m_hasRecovery = false, m_isCut = false, m_usesFibres = false, m_isWorkKnown = false;
+	bool m_hasRecovery = false, m_isCut = false, m_isFree = false, m_usesFibres = false, m_isWorkKnown = false;
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0[2];  ///< of A and of B at the start of the step [rad/s]

@@ -759,11 +759,12 @@ void DirectForm::giveRecovery(const Joint& joint) const
 	joint.m_works->m_step.setRecovery(linear, angular);
 }
 
-void DirectForm::finish()
+void DirectForm::finish(bool isFree)
 {
 	for (int j = 0; j < m_joints.size(); ++j)
 	{
 		const Joint& joint = m_joints[j];
+		joint.m_works->m_step.setFree(isFree);
 		if (m_recovery.hasMotion())
 			giveRecovery(joint);
 		if (m_system.isCut())

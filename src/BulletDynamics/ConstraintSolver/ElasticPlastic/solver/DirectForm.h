@@ -48,7 +48,8 @@ public:
 	bool movesPlaces() const { return m_joints.size() > 0 && m_recovery.hasMotion(); }
 
 	/// Gives joints their impulses, after Bullet has finished the step's solution.
-	void finish();
+	/// \param isFree  nothing acts from outside on the island
+	void finish(bool isFree);
 
 	/// Forgets the island: its joints have no part in the step any more.
 	void cancel();

@@ -223,12 +223,29 @@ void IslandSolver::withholdResult()
 	setZero(m_tmpSolverContactRollingFrictionConstraintPool);
 }
 
+namespace
+{
+/// Whether no load acts on any body, and nothing touches or is joined to what moves by itself.
+bool areFree(const btAlignedObjectArray<btSolverBody>& bodies)
+{
+	for (int i = 0; i < bodies.size(); ++i)
+	{
+		const btRigidBody* const body = bodies[i].m_originalBody;
+		if (!body || body->isStaticOrKinematicObject() || !body->getTotalForce().isZero() ||
+			!body->getTotalTorque().isZero())
+			return false;
+	}
+	return true;
+}
+}  // namespace
+
 btScalar IslandSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
 													 const btContactSolverInfo& info)
 {
 	if (!isResultFinite(m_tmpSolverBodyPool))
 		withholdResult();
 	m_iterative.finish(pools());
+	const bool isFree = areFree(m_tmpSolverBodyPool);
 	// Bullet moves places beside velocities only in this mode.
 	btContactSolverInfo finishing = info;
 	if (m_direct.movesPlaces())
@@ -238,7 +255,7 @@ btScalar IslandSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies,
 			finishing.m_splitImpulseTurnErp = 1;
 	}
 	btSequentialImpulseConstraintSolver::solveGroupCacheFriendlyFinish(bodies, numBodies, finishing);
-	m_direct.finish();
+	m_direct.finish(isFree);
 	return 0;
 }
 }  // namespace btElasticPlastic
