@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "../../btElasticPlasticFault.h"
 #include "../linear/ScopedTimer.h"
 #include "Jacobian.h"
 
@@ -57,9 +58,13 @@ bool WorkingSet::solve(const SystemInput& input, const AdmissibleBox& box, const
 			addImpulse(member.m_body, member.m_J, member.m_delta, velocity);
 	if (!solver.solve(velocity))
 		return false;
+	double sum = 0;
 	for (size_t i = 0; i < velocity.size(); ++i)
+	{
 		velocity[i] += m_velocity[i];
-	return true;
+		sum += velocity[i];
+	}
+	return btElasticPlasticIsFinite(sum);
 }
 
 bool WorkingSet::isRight(const AdmissibleBox& box) const
@@ -73,7 +78,7 @@ bool WorkingSet::isRight(const AdmissibleBox& box) const
 // ---- the members
 
 /// Of the rows that have left the guess those by which the potential differs most: others leave only because these have not yet.
-/// \return false if there is one that this class does not know
+/// \return false if there is one that this class does not know, or that is not finite
 bool WorkingSet::choose(const SystemInput& input, const AdmissibleBox& box, const std::vector<double>& along)
 {
 	m_leaving.clear();
@@ -86,8 +91,10 @@ bool WorkingSet::choose(const SystemInput& input, const AdmissibleBox& box, cons
 			return false;
 		const double guessed =
 			m_guess[i] == 0 ? (row.m_target - along[i]) / row.m_compliance : boundOf(row, m_guess[i]);
-		const double beyond = box.getImpulse(int(i)) - guessed;
-		m_leaving.push_back({beyond * beyond * row.m_compliance, int(i)});
+		const double beyond = box.getImpulse(int(i)) - guessed, gain = beyond * beyond * row.m_compliance;
+		if (!btElasticPlasticIsFinite(gain))
+			return false;
+		m_leaving.push_back({gain, int(i)});
 	}
 	if (m_leaving.size() > MOST_LEAVING)
 		return false;
