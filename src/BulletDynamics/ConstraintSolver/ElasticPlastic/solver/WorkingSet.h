@@ -21,10 +21,10 @@ namespace btElasticPlastic
 ///
 /// and each of them either has what it asks for, C lambda = u, or is at a bound: a small linear complementarity problem. W takes half of a
 /// solution by row. The problem is solved by block principal pivoting (Judice and Pires 1994): the rows that are not as they
-/// should be change sides, all at once as long as that leaves fewer of them than ever before, now and then, and else the last one of
+/// should be change sides, all at once as long as that leaves fewer of them than ever before now and then, and else the last one of
 /// them only, which ends. Then all rows are looked at, those that have left the guess join the set, and so on.
 ///
-/// In a structure that collapses some ten of thousands of rows reach or leave a bound in a step. Newton's steps become short there, as
+/// In a structure that collapses 10 to 60 of some thousand rows reach or leave a bound in a step. Newton's steps become short there, as
 /// each of them sees the ones that come next, and each takes a factor; here none does.
 class WorkingSet
 {
