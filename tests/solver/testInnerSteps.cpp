@@ -425,6 +425,83 @@ TEST(InnerSteps, WhatRingsClearOfYieldNeedsFew)
 	EXPECT_LT(statisticsOf(world).m_innerSteps, 64);
 }
 
+/// Two bodies on a spring of a material that damps, with two periods a step of the world. A blow makes it flow, and leaves it ringing at yield.
+struct Ringing
+{
+	static constexpr double YIELD_SPEED = 1;  // [m/s]: what loads the spring up to yield
+	World m_world{Solver::Direct, btVector3(0, 0, 0)};
+	btRigidBody* m_struck;
+
+	Ringing()
+	{
+		btCollisionShape* const cube = m_world.box(btVector3(1, 1, 1));
+		btRigidBody* const first = m_world.body(100, cube, at(0), false);
+		m_struck = m_world.body(100, cube, at(1));
+		const double angular = 4 * SIMD_PI / FRAME, stiffness = 50 * angular * angular;
+		btElasticPlasticCapacity capacity = evenCapacity(stiffness, stiffness * YIELD_SPEED / angular);
+		capacity.m_damping = btScalar(0.01);
+		m_world.joint(*first, *m_struck, at(0.5), capacity);
+	}
+
+	/// At so many times the speed of yield.
+	void strike(double times) { m_struck->applyCentralImpulse(btVector3(btScalar(100 * times * YIELD_SPEED), 0, 0)); }
+
+	/// Of the bodies against each other, at so many times the speed of yield [J].
+	static double energyAt(double times) { return 0.5 * 50 * times * times * YIELD_SPEED * YIELD_SPEED; }
+};
+
+TEST(InnerSteps, WhatRingsWithoutFlowingNeedsNoneSoon)
+{
+	Ringing scene;
+	scene.strike(3);
+	run(scene.m_world, 12);
+	EXPECT_GT(statisticsOf(scene.m_world).m_innerSteps, 0);
+	solverOf(scene.m_world).resetStatistics();
+	run(scene.m_world, 12);
+	EXPECT_EQ(0, statisticsOf(scene.m_world).m_innerSteps);
+}
+
+TEST(InnerSteps, ABlowOnWhatRingsDoesItsDamage)
+{
+	// Whenever it comes. The ringing adds a yield speed to it, or takes one off, and in the end the spring holds no more than at yield.
+	for (int after = 6; after <= 20; ++after)
+		for (const double times : {3., 5., 10.})
+		{
+			Ringing scene;
+			scene.strike(3);
+			run(scene.m_world, after);
+			const double before = plasticEnergy(scene.m_world);
+			scene.strike(times);
+			run(scene.m_world, 10);
+			const double plastic = plasticEnergy(scene.m_world) - before;
+			EXPECT_GT(plastic, (1 - ERROR_FOUND) * (Ringing::energyAt(times - 1) - Ringing::energyAt(1)))
+				<< after << " steps after the first, " << times << " times as fast";
+			EXPECT_LT(plastic, (1 + ERROR_FOUND) * Ringing::energyAt(times + 1))
+				<< after << " steps after the first, " << times << " times as fast";
+		}
+}
+
+TEST(InnerSteps, WhatHitsSomethingThatRingsDoesItsDamage)
+{
+	// Two bodies of 100 kg that meet without bouncing go on at half of the speed, 200 against 100 kg. In the end the spring holds what it does
+	// at yield.
+	const double speed = 20 * Ringing::YIELD_SPEED, distance = 0.02;
+	const double expected = 0.5 * (200. / 3) * speed * speed / 4 - Ringing::energyAt(1);
+	for (int after = 6; after <= 20; ++after)
+	{
+		Ringing scene;
+		scene.strike(3);
+		run(scene.m_world, after);
+		const double before = plasticEnergy(scene.m_world);
+		btCollisionShape* const cube = scene.m_world.box(btVector3(1, 1, 1));
+		btRigidBody* const other =
+			scene.m_world.body(100, cube, at(double(scene.m_struck->getCenterOfMassPosition().x()) + 1 + distance));
+		other->setLinearVelocity(scene.m_struck->getLinearVelocity() - btVector3(btScalar(speed), 0, 0));
+		run(scene.m_world, 10);
+		expectClose(expected, plasticEnergy(scene.m_world) - before, ERROR_FOUND);
+	}
+}
+
 TEST(InnerSteps, AnEdgeThatPassesByAFaceIsNoContactAhead)
 {
 	// Two joined boxes fall past a post that they overlap by 2 mm to the side: where they have met by more than that, the normal points to the side.

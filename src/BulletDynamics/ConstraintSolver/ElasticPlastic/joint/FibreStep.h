@@ -89,6 +89,15 @@ public:
 	const btAlignedObjectArray<Loss>& getLosses() const { return m_losses; }
 	void forgetLosses() { m_losses.resize(0); }
 
+	/// Whether a fibre is at a bound of its impulse.
+	bool isAnyAtBound() const
+	{
+		for (int i = 0; i < m_solution.size(); ++i)
+			if (m_solution[i].m_bound != 0)
+				return true;
+		return false;
+	}
+
 	/// By fibre: -1, 0 or 1. The next step's search for the fibres at their bounds begins with them.
 	std::vector<signed char> getLastBounds() const;
 	void setLastBounds(const std::vector<signed char>& bounds);

@@ -68,6 +68,15 @@ public:
 		m_lastBound[m_row[r].m_dof] = static_cast<signed char>(bound);
 	}
 
+	/// Whether something of the joint flows by the solution of the step.
+	bool isFlowing() const
+	{
+		for (int r = 0; r < m_numRows; ++r)
+			if (m_lastBound[m_row[r].m_dof] != 0)
+				return true;
+		return m_usesFibres && m_fibres.isAnyAtBound();
+	}
+
 	/// Tells that the impulses are of a search that has been cut: they obey the law, and do not belong to the deformation.
 	void setCut() { m_isCut = true; }
 

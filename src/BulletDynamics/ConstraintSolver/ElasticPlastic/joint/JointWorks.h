@@ -34,6 +34,8 @@ struct InnerRhythm
 	unsigned char m_level = 0;  ///< 1 << m_level inner steps
 	unsigned char m_calm = 0;   ///< successive steps that have left little open
 	unsigned char m_spare = 0;  ///< by so many levels less they would all have left less than half of the error allowed
+	unsigned char m_quiet = 0;  ///< successive steps in which nothing has flowed, as far as they count, see InnerSteps
+	float m_ringing = 0;        ///< how fast joints have moved meanwhile, see OpenShare::getPower() [W]
 };
 
 /// The implementation of btElasticPlasticJoint, together in memory: the model, its step, and their connection to Bullet and

@@ -74,6 +74,7 @@ void OpenShare::addRow(const btElasticPlasticCapacity& capacity, const Row& row,
 		m_energy += 0.5 * yield * yield / stiffness + yield * fabs(double(row.m_plastic));
 		if (m_canGoBack && !isNear)
 			return;
+		m_yieldEnergy += 0.5 * yield * yield / stiffness;
 	}
 	else
 	{
@@ -81,6 +82,7 @@ void OpenShare::addRow(const btElasticPlasticCapacity& capacity, const Row& row,
 		m_energy += yield * fabs(double(row.m_plastic));
 	}
 	m_openWork += yield * length * change;
+	m_power += yield * fmax(fabs(double(row.m_before)), fabs(double(row.m_after)));
 	const double rounding = 4 * double(SIMD_EPSILON) * (dof < 3 ? place : 1.);
 	m_roundedWork += yield * btMin(length * change, rounding);
 }

@@ -56,6 +56,12 @@ public:
 
 	bool hasOpenWork() const { return m_openWork > 0; }
 
+	/// Yield values times rates of deformation, of the rows that count: how fast joints move [W].
+	double getPower() const { return m_power; }
+
+	/// What the springs of these rows hold at yield [J].
+	double getYieldEnergy() const { return m_yieldEnergy; }
+
 	/// T
 	double getShare() const { return m_openWork > 0 ? m_openWork / getEnergy() : 0; }
 
@@ -67,7 +73,7 @@ private:
 
 	const bool m_canGoBack;
 	bool m_isLoaded = false;
-	double m_openWork = 0;
+	double m_openWork = 0, m_power = 0, m_yieldEnergy = 0;
 	double m_roundedWork = 0;  ///< the part of it that may be the rounding of positions
 	double m_energy = 0, m_mass = 0, m_momentum[3] = {};
 	double m_carried = 0;   ///< the part of the kinetic energy that is motion of the support

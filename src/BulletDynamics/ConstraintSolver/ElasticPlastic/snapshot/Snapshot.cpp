@@ -198,6 +198,8 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 	image.m_innerLevel = joint.m_rhythm.m_level;
 	image.m_innerCalm = joint.m_rhythm.m_calm;
 	image.m_innerSpare = joint.m_rhythm.m_spare;
+	image.m_innerQuiet = joint.m_rhythm.m_quiet;
+	image.m_innerRinging = joint.m_rhythm.m_ringing;
 	image.m_isSeparating = joint.m_separation.isUnderWay();
 	image.m_overlap = joint.m_separation.getOverlap();
 	return image;
@@ -562,7 +564,8 @@ void Snapshot::writeRegistry(const WorldImage& image)
 			joint.m_step.setLastBound(dof, from.m_lastBounds[dof]);
 		joint.m_step.setLastFibreBounds(from.m_lastFibreBounds);
 		joint.resume(from.m_numUncommitted, from.m_nextRequest);
-		joint.m_rhythm = {from.m_innerLevel, from.m_innerCalm, from.m_innerSpare};
+		joint.m_rhythm = {from.m_innerLevel, from.m_innerCalm, from.m_innerSpare, from.m_innerQuiet,
+						  from.m_innerRinging};
 		if (!from.m_isRefused)
 			joint.m_model.m_refused = btElasticPlasticFault();
 		else if (!joint.m_model.m_refused)

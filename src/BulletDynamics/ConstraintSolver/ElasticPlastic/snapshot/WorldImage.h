@@ -160,7 +160,8 @@ struct JointImage
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};
 	std::vector<signed char> m_lastFibreBounds;
 	int m_numUncommitted = 0, m_nextRequest = 0;
-	unsigned char m_innerLevel = 0, m_innerCalm = 0, m_innerSpare = 0;  ///< InnerRhythm
+	unsigned char m_innerLevel = 0, m_innerCalm = 0, m_innerSpare = 0, m_innerQuiet = 0;  ///< InnerRhythm
+	float m_innerRinging = 0;                                                             ///< the same
 	bool m_isSeparating = false;
 	btScalar m_overlap = 0;
 };
@@ -186,6 +187,8 @@ void transfer(Archive& archive, JointImage& image)
 	archive(image.m_innerLevel);
 	archive(image.m_innerCalm);
 	archive(image.m_innerSpare);
+	archive(image.m_innerQuiet);
+	archive(image.m_innerRinging);
 	archive(image.m_isSeparating);
 	if (image.m_isSeparating)
 		archive(image.m_overlap);

@@ -30,6 +30,14 @@ const double NO_INNER_SHARE = 1. / 1000;
 /// twice is not tried.
 const long long LEAST_WORK_A_JOINT = 500;
 
+/// What has not flowed for so many steps rings; they are not counted beyond the second number.
+const int QUIET_STEPS = 6, MOST_QUIET_STEPS = 2 * QUIET_STEPS;
+/// What rings moves no faster than this many times as fast as it has, which is forgotten by a share in each step.
+const double RINGING_MARGIN = 1.25;
+const float RINGING_KEPT = 0.95f;
+/// A contact that closes with this share of the energy by which springs yield is a blow.
+const double STRONG_BLOW = 0.25;
+
 int levelOf(int steps)
 {
 	int level = 0;
@@ -41,7 +49,7 @@ int levelOf(int steps)
 /// What the joints remember: islands may have joined since.
 InnerRhythm rhythmOf(const SolverGroup& island)
 {
-	InnerRhythm rhythm = {0, 255, 255};
+	InnerRhythm rhythm = {0, 255, 255, 255, 0};
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
 		{
@@ -49,6 +57,8 @@ InnerRhythm rhythmOf(const SolverGroup& island)
 			btSetMax(rhythm.m_level, joint.m_level);
 			btSetMin(rhythm.m_calm, joint.m_calm);
 			btSetMin(rhythm.m_spare, joint.m_spare);
+			btSetMin(rhythm.m_quiet, joint.m_quiet);
+			btSetMax(rhythm.m_ringing, joint.m_ringing);
 		}
 	return rhythm;
 }
@@ -74,8 +84,18 @@ JointRegistry* beginJoints(const SolverGroup& island)
 	return isOne && registry && !registry->isStepControlled() ? registry : nullptr;
 }
 
+/// Whether all joints have a material that damps: what rings comes to rest.
+bool damps(const SolverGroup& island)
+{
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i] && !(island.m_joints[i]->m_model.m_capacity.m_damping > 0))
+			return false;
+	return true;
+}
+
 /// What the last solution has left open, before joints are committed.
-OpenShare measure(const SolverGroup& island, double length, double ahead)
+/// \param flows  becomes true if anything flows
+OpenShare measure(const SolverGroup& island, double length, double ahead, bool& flows)
 {
 	OpenShare open(true);
 	for (int i = 0; i < island.m_numConstraints; ++i)
@@ -87,6 +107,7 @@ OpenShare measure(const SolverGroup& island, double length, double ahead)
 		const btElasticPlasticState& state = works->m_model.m_state;
 		btScalar after[BT_EP_DOF_COUNT];
 		step.projectVelocities(after);
+		flows = flows || step.isFlowing();
 		const double place = double(works->m_model.bodyA().getCenterOfMassPosition().length()) + 1;
 		for (int r = 0; r < step.getNumRows(); ++r)
 		{
@@ -131,7 +152,9 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 					   const btElasticPlasticSolverSettings& settings, btElasticPlasticStatistics& statistics,
 					   Solution& solution)
 {
-	Task task = {island, info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps)};
+	Task task = {
+		island,       info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
+		InnerRhythm()};
 	JointRegistry* const registry = info.m_timeStep > 0 && mayBeTaken(island, settings) ? beginJoints(island) : nullptr;
 	if (!registry)
 	{
@@ -148,6 +171,8 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 {
 	const SolverGroup& island = task.m_island;
 	m_state.begin(island, task.m_info.m_timeStep, registry);
+	task.m_rhythm = rhythmOf(island);
+	task.m_blow = task.m_rhythm.m_quiet > 0 ? m_state.getEnergyOfBlow() : 0;
 	int level = beginLevel(task);
 	if (m_state.hasBounceAhead(task.m_info.m_restitutionVelocityThreshold))
 		btSetMax(level, BOUNCE_LEVEL);
@@ -159,7 +184,7 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
 		if (attempt.m_next == level)
 		{
-			remember(island, level, attempt, task.m_settings.m_innerError);
+			remember(task, level, attempt);
 			return;
 		}
 		if (isWhole)
@@ -172,19 +197,19 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 }
 
 /// That of the last step, or less if that was calm.
-int InnerSteps::beginLevel(const Task& task)
+int InnerSteps::beginLevel(Task& task)
 {
 	const SolverGroup& island = task.m_island;
-	const InnerRhythm rhythm = rhythmOf(island);
+	const InnerRhythm& rhythm = task.m_rhythm;
+	if (rhythm.m_level > 0 && rhythm.m_quiet >= QUIET_STEPS)
+		return rhythm.m_level - 1;
 	if (rhythm.m_level == 0 || rhythm.m_calm < CALM_INNER_STEPS)
 		return rhythm.m_level;
 	const int level = btMax(rhythm.m_level - btMax(int(rhythm.m_spare), 1), 0);
 	const btScalar longer = task.m_info.m_timeStep / btScalar(1 << level);
 	if (rhythm.m_calm < MOST_CALM_INNER_STEPS && !m_state.isJoinedShiftSmall(island, longer))
 		return rhythm.m_level;
-	for (int i = 0; i < island.m_numConstraints; ++i)
-		if (island.m_joints[i])
-			island.m_joints[i]->m_rhythm.m_calm = 0;
+	task.m_rhythm.m_calm = 0;
 	return level;
 }
 
@@ -193,9 +218,40 @@ InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 	++task.m_numSolutions;
 	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
 	const double dt = task.m_info.m_timeStep;
-	const OpenShare left = measure(task.m_island, dt, dt);
-	const double open = left.getMendableShare();
-	return {open, left.getShare(), refine(task, 0, open)};
+	Attempt attempt = {};
+	const OpenShare left = measure(task.m_island, dt, dt, attempt.m_flows);
+	attempt.m_power = left.getPower();
+	attempt.m_yieldEnergy = left.getYieldEnergy();
+	attempt.m_open = left.getMendableShare();
+	attempt.m_doubted = left.getShare();
+	findNext(task, 0, attempt);
+	return attempt;
+}
+
+/// What damps and has not flowed for a while will not: its ringing asks for no shorter steps, and long ones only damp it sooner. A blow makes it
+/// faster than that, or makes something flow.
+bool InnerSteps::isRinging(const Task& task, const Attempt& attempt) const
+{
+	const InnerRhythm& rhythm = task.m_rhythm;
+	return rhythm.m_quiet >= QUIET_STEPS && !attempt.m_flows &&
+		   attempt.m_power <= RINGING_MARGIN * double(rhythm.m_ringing) &&
+		   task.m_blow <= STRONG_BLOW * attempt.m_yieldEnergy;
+}
+
+/// Of what a step has left open, as far as it counts, follows the level of the next attempt.
+void InnerSteps::findNext(Task& task, int level, Attempt& attempt) const
+{
+	attempt.m_isLong = attempt.m_open > task.m_settings.m_innerError;
+	if (isRinging(task, attempt))
+		limit(attempt, task.m_settings.m_innerError);
+	attempt.m_next = refine(task, level, attempt.m_open);
+}
+
+/// It is calm but not still: longer steps damp it.
+void InnerSteps::limit(Attempt& attempt, double error)
+{
+	btSetMin(attempt.m_open, error * CALM_INNER_SHARE);
+	btSetMin(attempt.m_doubted, error * CALM_INNER_SHARE);
 }
 
 /// Leaves the step in the middle where it goes on at another level.
@@ -213,7 +269,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	m_state.shiftFreeVelocities((dt - h) / 2);
 	m_state.shiftJoinedVelocities(island, h);
 	m_impulses.scale(island, share);
-	Attempt attempt = {0, 0, level};
+	Attempt attempt = {};
 	double open = 0, doubted = 0;
 	bool isLoaded = false;
 	for (int k = 0; k < steps; ++k)
@@ -223,17 +279,21 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		++task.m_statistics.m_innerSteps;
 		const bool isBounded = task.m_settings.m_maxWork > 0;
 		task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / (steps - k), 1ll) : 0);
-		const OpenShare left = measure(island, h, dt);
+		const OpenShare left = measure(island, h, dt, attempt.m_flows);
+		btSetMax(attempt.m_power, left.getPower());
+		btSetMax(attempt.m_yieldEnergy, left.getYieldEnergy());
 		btSetMax(open, left.getMendableShare());
 		btSetMax(doubted, left.getShare());
 		isLoaded = isLoaded || left.isLoaded();
-		// What stays clear of yield asks for no shorter steps. It is calm but not still: longer steps damp it.
-		const double most = isLoaded ? HUGE_VAL : task.m_settings.m_innerError * CALM_INNER_SHARE;
-		attempt.m_open = btMin(open, most);
-		attempt.m_doubted = btMin(doubted, most);
+		attempt.m_open = open;
+		attempt.m_doubted = doubted;
+		// What stays clear of yield asks for no shorter steps.
+		if (!isLoaded)
+			limit(attempt, task.m_settings.m_innerError);
+		findNext(task, level, attempt);
 		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
-		attempt.m_next =
-			2 * k < steps && isTooMuch(task, level) ? mostLevel(task, level) : refine(task, level, attempt.m_open);
+		if (2 * k < steps && isTooMuch(task, level))
+			attempt.m_next = mostLevel(task, level);
 		if (attempt.m_next != level)
 			break;
 		m_state.move(h);
@@ -279,19 +339,34 @@ int InnerSteps::refine(Task& task, int level, double share) const
 
 /// An oscillation has moments at which a step leaves little open. What may be rounding asks for no shorter steps, and gives no leave for
 /// far longer ones at once: it grows by the square of the step if it is none.
-void InnerSteps::remember(const SolverGroup& island, int level, const Attempt& attempt, double error) const
+void InnerSteps::remember(const Task& task, int level, const Attempt& attempt) const
 {
-	InnerRhythm rhythm = rhythmOf(island);
-	const double doubted = attempt.m_doubted;
+	const SolverGroup& island = task.m_island;
+	InnerRhythm rhythm = task.m_rhythm;
+	const double error = task.m_settings.m_innerError, doubted = attempt.m_doubted;
 	const bool isCalm = attempt.m_open <= error * CALM_INNER_SHARE, isStill = doubted < error * NO_INNER_SHARE;
 	const int spare = doubted > 0 ? int(floor(0.5 * log2(btMax(error / (8 * doubted), 1.)))) : MOST_SPARE;
 	const int calm = isCalm ? btMin(rhythm.m_calm + 1, MOST_CALM_INNER_STEPS) : 0;
 	const bool isNew = calm <= 1 || (isStill && calm < CALM_INNER_STEPS);
+	rememberRinging(task, level, attempt, rhythm);
 	rhythm.m_level = static_cast<unsigned char>(level);
 	rhythm.m_spare = static_cast<unsigned char>(btMin(spare, isNew ? MOST_SPARE : int(rhythm.m_spare)));
 	rhythm.m_calm = static_cast<unsigned char>(isStill ? btMax(calm, CALM_INNER_STEPS) : calm);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
 			island.m_joints[i]->m_rhythm = rhythm;
+}
+
+/// In whole steps that leave little open the ringing is over.
+void InnerSteps::rememberRinging(const Task& task, int level, const Attempt& attempt, InnerRhythm& rhythm) const
+{
+	const InnerRhythm& before = task.m_rhythm;
+	int quiet = 0;
+	if (level == 0 && !attempt.m_isLong)
+		quiet = btMax(before.m_quiet - 1, 0);
+	else if (!attempt.m_flows && (before.m_quiet > 0 || damps(task.m_island)))
+		quiet = btMin(before.m_quiet + 1, MOST_QUIET_STEPS);
+	rhythm.m_quiet = static_cast<unsigned char>(quiet);
+	rhythm.m_ringing = quiet > 0 ? btMax(float(attempt.m_power), RINGING_KEPT * before.m_ringing) : 0;
 }
 }  // namespace btElasticPlastic

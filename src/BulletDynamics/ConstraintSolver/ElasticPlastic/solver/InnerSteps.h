@@ -61,6 +61,8 @@ private:
 		long long m_workBefore;
 		int m_numSolutions;
 		int m_maxLevel;
+		InnerRhythm m_rhythm;  ///< before the step
+		double m_blow;         ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
 
 		long long getWork() const { return m_statistics.m_work - m_workBefore; }
 		/// Of the island's bound; an eighth of it is for what solutions take beyond theirs: each does at least one factorisation.
@@ -71,9 +73,12 @@ private:
 	/// To solve the step at a level.
 	struct Attempt
 	{
-		double m_open;     ///< the most that a step of it has left open and shorter steps would not
-		double m_doubted;  ///< with what may be rounding
-		int m_next;        ///< the level at which the island goes back and begins again; the same one: it is solved
+		double m_open;                  ///< the most that a step of it has left open and shorter steps would not
+		double m_doubted;               ///< with what may be rounding
+		double m_power, m_yieldEnergy;  ///< the largest of OpenShare's [W], [J]
+		bool m_flows;                   ///< something has flowed
+		bool m_isLong;                  ///< more has been left open than is allowed, whether it counts or not
+		int m_next;  ///< the level at which the island goes back and begins again; the same one: it is solved
 	};
 
 	void take(Task& task, const JointRegistry& registry);
@@ -82,8 +87,12 @@ private:
 	int mostLevel(const Task& task, int level) const;
 	bool isTooMuch(const Task& task, int level) const;
 	int refine(Task& task, int level, double share) const;
-	int beginLevel(const Task& task);
-	void remember(const SolverGroup& island, int level, const Attempt& attempt, double error) const;
+	bool isRinging(const Task& task, const Attempt& attempt) const;
+	void findNext(Task& task, int level, Attempt& attempt) const;
+	static void limit(Attempt& attempt, double error);
+	int beginLevel(Task& task);
+	void remember(const Task& task, int level, const Attempt& attempt) const;
+	void rememberRinging(const Task& task, int level, const Attempt& attempt, InnerRhythm& rhythm) const;
 
 	IslandState m_state;
 	StepImpulses m_impulses;

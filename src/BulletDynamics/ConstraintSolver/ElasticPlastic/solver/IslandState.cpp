@@ -290,6 +290,25 @@ bool IslandState::hasBounceAhead(btScalar leastSpeed) const
 	return false;
 }
 
+double IslandState::getEnergyOfBlow() const
+{
+	double most = 0;
+	for (int i = 0; i < m_points.size(); ++i)
+	{
+		const Point& point = m_points[i];
+		const btScalar approach = approachOf(point);
+		if (!(approach > 0) || !(point.m_point->m_distance1 < approach * m_dt))
+			continue;
+		double inverseMass = 0;
+		for (const int body : point.m_bodies)
+			if (body >= 0)
+				inverseMass += double(m_bodies[body].m_body->getInvMass());
+		if (inverseMass > 0)
+			btSetMax(most, 0.5 * double(approach) * double(approach) / inverseMass);
+	}
+	return most;
+}
+
 void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
 {
 	for (int i = 0; i < m_kinematic.size(); ++i)

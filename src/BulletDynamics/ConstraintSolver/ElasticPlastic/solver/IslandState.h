@@ -49,6 +49,9 @@ public:
 	/// Whether something that is still apart at the beginning is to meet within the step at a speed at which it bounces.
 	bool hasBounceAhead(btScalar leastSpeed) const;
 
+	/// The most that a contact takes to stop what closes at the beginning of the step, if it meets within the step: by the bodies' masses [J].
+	double getEnergyOfBlow() const;
+
 	/// Before an inner step of h [s] is solved: contact points are where bodies have carried them. Normals stay as they were found.
 	/// What is to bounce does nothing until it touches: Bullet's row would bounce it off the gap, with what speed the gap leaves.
 	/// \param end         of the inner step, from the beginning [s]; kinematic bodies are put there
