@@ -6,6 +6,7 @@
 
 #include "../Prefetch.h"
 #include "EventQueue.h"
+#include "InnerRhythm.h"
 #include "JointStep.h"
 #include "Levels.h"
 #include "Separation.h"
@@ -26,16 +27,6 @@ struct RegistryEntry
 	int m_number = 0;                     ///< of the joint in the order in which the registry has got to know them
 	int m_worldIndex = 0;                 ///< in the world's list of constraints, as it was last; -1: it was not there
 	UnreadEvents m_events;
-};
-
-/// In how many inner steps a joint's island has taken the last step. Islands join and part; their joints remember it.
-struct InnerRhythm
-{
-	unsigned char m_level = 0;  ///< 1 << m_level inner steps
-	unsigned char m_calm = 0;   ///< successive steps that have left little open
-	unsigned char m_spare = 0;  ///< by so many levels less they would all have left less than half of the error allowed
-	unsigned char m_quiet = 0;  ///< successive steps in which nothing has flowed, as far as they count, see InnerSteps
-	float m_ringing = 0;        ///< how fast joints have moved meanwhile, see OpenShare::getPower() [W]
 };
 
 /// The implementation of btElasticPlasticJoint, together in memory: the model, its step, and their connection to Bullet and

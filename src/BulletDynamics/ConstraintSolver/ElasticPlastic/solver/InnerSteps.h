@@ -6,6 +6,7 @@
 
 #include "../../btElasticPlasticSolverSettings.h"
 #include "../../btElasticPlasticStatistics.h"
+#include "../joint/InnerRhythm.h"
 #include "../joint/OpenShare.h"
 #include "IslandState.h"
 #include "StepImpulses.h"
