@@ -12,6 +12,7 @@
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/Jacobian.h"
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/System.h"
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/SystemMatrix.h"
 
 namespace
 {
@@ -301,6 +302,60 @@ TEST(System, AgreesWithADenseReference)
 					for (int k = 0; k < 6; ++k)
 						EXPECT_NEAR(velocity[size_t(6 * b + k)], system.getVelocityChange(b)[k], EXACT);
 			}
+}
+
+/// All blocks of H for bounds, assembled from nothing.
+std::vector<double> assembledAnew(const SystemInput& input, btElasticPlastic::AdmissibleBox box)
+{
+	btElasticPlasticStatistics statistics;
+	btElasticPlastic::LinearSolver solver(statistics);
+	btElasticPlastic::SystemMatrix matrix(solver);
+	matrix.begin(input, 0, 1);
+	matrix.assemble(input, box);
+	const double* const values = solver.getMatrix().getValues();
+	return std::vector<double>(values, values + 36 * solver.getMatrix().getNumBlocks());
+}
+
+TEST(System, TheMatrixOfFewChangesIsThatOfAllToTheBit)
+{
+	for (const Kind kind : {PLAIN, PAIRS, FIBRES, BUNDLES})
+		for (unsigned seed = 0; seed < 20; ++seed)
+		{
+			const int numBodies = 12;
+			const SystemInput input = randomChain(numBodies, 1, seed, kind);
+			btElasticPlasticStatistics statistics;
+			btElasticPlastic::LinearSolver solver(statistics);
+			btElasticPlastic::SystemMatrix matrix(solver);
+			btElasticPlastic::AdmissibleBox box;
+			box.begin(input);
+			matrix.begin(input, 0, 1);
+			matrix.assemble(input, box);
+			// Rows of the unit between two bodies, and of the loop between the ends, begin to flow.
+			const int changed = 1 + int(seed) % (numBodies - 2);
+			std::vector<double> impulses;
+			std::vector<signed char> bounds;
+			box.getResult(impulses, bounds);
+			bounds[size_t(input.m_units[size_t(changed)].m_firstRow)] = 1;
+			if (seed % 2)
+				bounds[size_t(input.m_singleRows[0].m_row)] = -1;
+			box.setResult(impulses, bounds);
+			// What is far from them is left alone, even if somebody has spoilt it.
+			const int far = (changed + 5) % (numBodies - 2) + 1;
+			double& spoilt = solver.getMatrix().diagonal(far)[0];
+			const double right = spoilt;
+			spoilt = -1;
+			matrix.assemble(input, box);
+			EXPECT_EQ(-1, spoilt) << "kind " << kind << ", seed " << seed;
+			spoilt = right;
+			const std::vector<double> anew = assembledAnew(input, box);
+			const double* const values = solver.getMatrix().getValues();
+			EXPECT_TRUE(std::equal(anew.begin(), anew.end(), values)) << "kind " << kind << ", seed " << seed;
+			// If more than bounds has changed, nothing of before is taken for right.
+			spoilt = -1;
+			matrix.forget();
+			matrix.assemble(input, box);
+			EXPECT_EQ(right, spoilt);
+		}
 }
 
 TEST(System, BeginsWithTheBoundsOfTheLastSolution)

@@ -104,6 +104,7 @@ void System::beginStep(bool isOneOfMany)
 void System::forgetFactor()
 {
 	m_matrixIsCurrent = false;
+	m_matrix.forget();
 	m_linearSolver.forgetFactor();
 }
 
@@ -514,6 +515,7 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 	SystemResult held = m_before;
 	m_admissible.setResult(held.m_impulses, held.m_bounds);
 	input.m_rows = m_rowsBefore;
+	m_matrix.forget();
 	const bool isAgain = !condensation.isEmpty();
 	if (isAgain)
 	{

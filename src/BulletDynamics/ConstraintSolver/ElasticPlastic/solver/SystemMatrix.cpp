@@ -5,10 +5,18 @@
 
 #include <string.h>
 
+#include <algorithm>
+
 #include "../linear/Vector3.h"
 
 namespace btElasticPlastic
 {
+namespace
+{
+/// Blocks are computed anew by body where changed rows have this share of all bodies or less between them, one over it. A body may be named twice.
+const size_t MOST_CHANGED = 2;
+}  // namespace
+
 void SystemMatrix::begin(const SystemInput& input, int islandId, int numSolutions, int numLast)
 {
 	m_edges.clear();
@@ -27,6 +35,8 @@ void SystemMatrix::begin(const SystemInput& input, int islandId, int numSolution
 			m_condensedEdges.push_back(addEdge(pair));
 		}
 	m_solver.begin(input.getNumBodies(), m_edges, islandId, numSolutions, numLast);
+	m_isAssembled = false;
+	m_isWhole = true;
 }
 
 /// Rows between the same bodies that follow each other have one edge.
@@ -42,13 +52,54 @@ int SystemMatrix::addEdge(const int body[2])
 
 void SystemMatrix::assemble(const SystemInput& input, AdmissibleBox& box)
 {
-	add(input, box);
 	m_changedBodies.clear();
 	for (const SystemInput::Unit& unit : input.m_units)
 		noteChange(unit.m_body, box.noteTangent(unit.m_firstRow, unit.m_numRows));
 	for (const SystemInput::SingleRow& row : input.m_singleRows)
 		noteChange(row.m_body, box.noteTangent(row.m_row, 1));
+	m_isWhole = !beginPart(input);
+	if (m_isWhole)
+	{
+		addMasses(input);
+		addCondensed(input.m_condensed);
+	}
+	addRows(input, box);
+	m_isWhole = m_isAssembled = true;
 	m_solver.setAssembled(m_changedBodies);
+}
+
+/// Sets the blocks of changed bodies, and between them, to the bodies' masses.
+/// \return false if so much has changed that all are computed anew
+bool SystemMatrix::beginPart(const SystemInput& input)
+{
+	// What is condensed has a dense block among many bodies.
+	if (!m_isAssembled || !input.m_condensed.m_bodies.empty() ||
+		MOST_CHANGED * m_changedBodies.size() > input.m_bodies.size())
+		return false;
+	m_isWhole = false;
+	m_isChanged.assign(input.m_bodies.size(), 0);
+	for (const int body : m_changedBodies)
+		if (!m_isChanged[size_t(body)])
+		{
+			m_isChanged[size_t(body)] = 1;
+			double* const block = m_solver.getMatrix().diagonal(body);
+			std::fill(block, block + 36, 0.);
+			addMass(input, body);
+		}
+	for (size_t i = 0; i < input.m_units.size(); ++i)
+		setZeroInPart(input.m_units[i].m_body, m_unitEdge[i]);
+	for (size_t i = 0; i < input.m_singleRows.size(); ++i)
+		setZeroInPart(input.m_singleRows[i].m_body, m_singleRowEdge[i]);
+	return true;
+}
+
+void SystemMatrix::setZeroInPart(const int body[2], int edge)
+{
+	if (!isEdgeInPart(body, edge))
+		return;
+	bool transposed;
+	double* const block = m_solver.getMatrix().offDiagonal(edge, transposed);
+	std::fill(block, block + 36, 0.);
 }
 
 void SystemMatrix::addMasses(const SystemInput& input)
@@ -56,13 +107,17 @@ void SystemMatrix::addMasses(const SystemInput& input)
 	BlockMatrix& matrix = m_solver.getMatrix();
 	matrix.setZero();
 	for (int b = 0; b < input.getNumBodies(); ++b)
+		addMass(input, b);
+}
+
+void SystemMatrix::addMass(const SystemInput& input, int body)
+{
+	double* const block = m_solver.getMatrix().diagonal(body);
+	const SystemInput::Body& from = input.m_bodies[size_t(body)];
+	for (int i = 0; i < 3; ++i)
 	{
-		double* block = matrix.diagonal(b);
-		for (int i = 0; i < 3; ++i)
-		{
-			block[7 * i] = input.m_bodies[b].m_mass[i];
-			memcpy(block + 6 * (3 + i) + 3, &input.m_bodies[b].m_inertia[3 * i], 3 * sizeof(double));
-		}
+		block[7 * i] = from.m_mass[i];
+		memcpy(block + 6 * (3 + i) + 3, &from.m_inertia[3 * i], 3 * sizeof(double));
 	}
 }
 
@@ -156,9 +211,9 @@ void SystemMatrix::addUnit(const SystemInput::Unit& unit, int edge, const double
 	const UnitBlocks blocks(unit, linear, angular, mixed);
 	BlockMatrix& matrix = m_solver.getMatrix();
 	for (int side = 0; side < 2; ++side)
-		if (unit.m_body[side] >= 0)
+		if (isInPart(unit.m_body[side]))
 			blocks.addTo(matrix.diagonal(unit.m_body[side]), side, side, [](double& to, double x) { to += x; });
-	if (edge < 0)
+	if (!isEdgeInPart(unit.m_body, edge))
 		return;
 	bool transposed;
 	double* const block = matrix.offDiagonal(edge, transposed);
@@ -177,9 +232,9 @@ void SystemMatrix::addProduct(const SystemInput::SingleRow& a, const SystemInput
 				block[6 * c + r] += tangent * x[r] * y[c];
 	};
 	for (int side = 0; side < 2; ++side)
-		if (a.m_body[side] >= 0)
+		if (isInPart(a.m_body[side]))
 			add(matrix.diagonal(a.m_body[side]), a.m_J + 6 * side, b.m_J + 6 * side);
-	if (edge < 0)
+	if (!isEdgeInPart(a.m_body, edge))
 		return;
 	bool transposed;
 	double* block = matrix.offDiagonal(edge, transposed);
