@@ -51,6 +51,26 @@ void OpenShare::addSupport(const btRigidBody& support, const btVector3& place)
 	m_isHeld = true;
 }
 
+bool OpenShare::isClear(const btElasticPlasticCapacity& capacity, const Motion& motion, btScalar length, btScalar ahead)
+{
+	// As addRow() for all rows at once, with the stiffness of those that are coupled for all. A little less, for rounding.
+	const btScalar coupling = btMax(btFabs(capacity.m_coupling[0]), btFabs(capacity.m_coupling[1])),
+				   time = ahead / (1 - coupling * coupling), gain = ahead / (2 * length),
+				   share = btScalar(0.99 * LOADED_SHARE);
+	btScalar path = 0;
+	int numNear = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		const btScalar reached =
+			btFabs(motion.m_force[i]) +
+			capacity.m_stiffness[i] * time *
+				(btFabs(motion.m_after[i]) + gain * btFabs(motion.m_after[i] - motion.m_before[i]));
+		path += motion.m_path[i];
+		numNear += !(reached <= share * capacity.m_yield[i]);
+	}
+	return numNear == 0 && path == 0;
+}
+
 void OpenShare::addRow(const btElasticPlasticCapacity& capacity, const Row& row, double length, double ahead,
 					   double place)
 {

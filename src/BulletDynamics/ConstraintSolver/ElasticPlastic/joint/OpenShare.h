@@ -39,6 +39,18 @@ public:
 		btScalar m_plastic, m_path;  ///< plastic deformation, and the path of all flow [m], [rad]
 	};
 
+	/// What all degrees of freedom of a joint have done, as Row says, with rates of either sign; force and rate before the step are 0 where it has
+	/// no row.
+	struct Motion
+	{
+		btScalar m_before[BT_EP_DOF_COUNT], m_after[BT_EP_DOF_COUNT], m_force[BT_EP_DOF_COUNT];
+		const btScalar* m_path;
+	};
+
+	/// Whether nothing of a joint has flowed or comes near yield: then its rows would add nothing. It costs a fraction of asking them.
+	static bool isClear(const btElasticPlasticCapacity& capacity, const Motion& motion, btScalar length,
+						btScalar ahead);
+
 	/// A body that moves, with the velocities after the step.
 	void addBody(const btRigidBody& body);
 

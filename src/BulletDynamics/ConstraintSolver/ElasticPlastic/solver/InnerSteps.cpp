@@ -105,15 +105,24 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 			continue;
 		const JointStep& step = works->m_step;
 		const btElasticPlasticState& state = works->m_model.m_state;
-		btScalar after[BT_EP_DOF_COUNT];
-		step.projectVelocities(after);
 		flows = flows || step.isFlowing();
+		OpenShare::Motion motion = {};
+		motion.m_path = state.m_plasticPath;
+		step.projectVelocities(motion.m_after);
+		const btScalar rate = 1 / step.getTimeStep();
+		for (int r = 0; r < step.getNumRows(); ++r)
+		{
+			motion.m_before[step.getDof(r)] = -step.getRateBefore(r);
+			motion.m_force[step.getDof(r)] = step.getImpulse(r) * rate;
+		}
+		if (OpenShare::isClear(works->m_model.m_capacity, motion, btScalar(length), btScalar(ahead)))
+			continue;
 		const double place = double(works->m_model.bodyA().getCenterOfMassPosition().length()) + 1;
 		for (int r = 0; r < step.getNumRows(); ++r)
 		{
 			const int dof = step.getDof(r);
 			open.addRow(works->m_model.m_capacity,
-						{dof, step.getRateBefore(r), -after[dof], step.getImpulse(r) / step.getTimeStep(),
+						{dof, step.getRateBefore(r), -motion.m_after[dof], step.getImpulse(r) / step.getTimeStep(),
 						 state.m_plastic[dof], state.m_plasticPath[dof]},
 						length, ahead, place);
 		}
