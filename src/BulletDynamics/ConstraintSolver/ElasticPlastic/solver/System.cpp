@@ -213,6 +213,7 @@ bool System::mayUseSets(const SystemInput& input) const { return input.getNumBod
 bool System::findBounds(const SystemInput& input)
 {
 	const std::vector<double> first = m_velocity;
+	m_hasSearched = true;
 	for (int k = 0; k < MOST_GUESSES; ++k)
 	{
 		// Where a set has become too large, its bounds are the next guess.
@@ -236,6 +237,19 @@ bool System::findBounds(const SystemInput& input)
 	m_velocity = first;
 	evaluate(input);
 	return false;
+}
+
+/// Whether what a working set has found leaves no more than rounding, by the factor that is there: a Newton step would take another one.
+bool System::isExact(const SystemInput& input)
+{
+	findResidual(input);
+	m_step = m_residual;
+	if (!m_linearSolver.solve(m_step))
+		return false;
+	double gain = 0;
+	for (size_t i = 0; i < m_step.size(); ++i)
+		gain += m_residual[i] * m_step[i];
+	return gain <= ROUNDING * m_phiTerms;
 }
 
 /// From the last evaluate() on. \param mayCrawl  whether to go on where steps become short
@@ -308,8 +322,8 @@ bool System::findMinimum(SystemInput& input, Effort effort)
 			return false;
 		if (isRight(input))
 			return true;
-		if (mayUseSets(input) && m_linearSolver.hasHalves())
-			findBounds(input);
+		if (mayUseSets(input) && m_linearSolver.hasHalves() && findBounds(input) && isExact(input))
+			return true;
 		bool mayCrawl = m_settings.m_maxInteriorIterations == 0;
 		if (isLarge(input))
 		{

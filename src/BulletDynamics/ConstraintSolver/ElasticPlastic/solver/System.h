@@ -130,6 +130,7 @@ private:
 	bool isRight(const SystemInput& input);
 	bool mayUseSets(const SystemInput& input) const;
 	bool findBounds(const SystemInput& input);
+	bool isExact(const SystemInput& input);
 	bool findMinimum(SystemInput& input, Effort effort);
 	bool newton(const SystemInput& input, bool mayCrawl, int maxSteps);
 	void releaseFriction(SystemInput& input);
