@@ -289,6 +289,107 @@ TEST(Lifetimes, AJointWhoseBodyIsDeletedIsNotDrawn)
 	}
 }
 
+/// A joint that has broken at the end of a row, without its bodies overlapping.
+struct Torn : Parts
+{
+	explicit Torn(Solver solver) : Parts(solver)
+	{
+		row(2, btScalar(1.5), strong());
+		step();
+		EXPECT_TRUE(m_action->breakJoint(*m_world, m_joints[1].get()));
+		EXPECT_EQ(1, m_world->getNumConstraints());
+	}
+};
+
+TEST(Lifetimes, NoRepairInAWorldThatMayBeGone)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Torn scene(solver), elsewhere(solver);
+		scene.m_world->removeConstraint(scene.m_joints[0].get());
+		scene.deleteWorld();
+		// The bodies find another world, of which the joint does not know.
+		for (auto& body : scene.m_bodies)
+			elsewhere.m_world->addRigidBody(body.get());
+		EXPECT_FALSE(scene.m_action->repair(scene.m_joints[1].get()));
+		EXPECT_TRUE(scene.m_joints[1]->isBroken());
+		EXPECT_TRUE(scene.m_action->repair(*elsewhere.m_world, scene.m_joints[1].get()));
+		EXPECT_FALSE(scene.m_joints[1]->isBroken());
+		EXPECT_EQ(2, elsewhere.m_world->getNumConstraints());
+		elsewhere.m_world->removeConstraint(scene.m_joints[1].get());
+		for (auto& body : scene.m_bodies)
+			elsewhere.m_world->removeRigidBody(body.get());
+	}
+}
+
+TEST(Lifetimes, RepairAfterABodyHasBeenAway)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Torn scene(solver);
+		btRigidBody &stays = *scene.m_bodies[1], &leaves = *scene.m_bodies[2];
+		btElasticPlasticJoint* const joint = scene.m_joints[1].get();
+		scene.m_world->removeRigidBody(&leaves);
+		EXPECT_FALSE(scene.m_action->repair(joint));
+		scene.m_world->addRigidBody(&leaves);
+		EXPECT_TRUE(scene.m_action->repair(joint));
+		EXPECT_EQ(2, scene.m_world->getNumConstraints());
+		EXPECT_TRUE(scene.m_action->breakJoint(*scene.m_world, joint));
+		scene.m_world->removeConstraint(scene.m_joints[0].get());
+		for (btRigidBody* body : {&stays, &leaves})
+		{
+			scene.m_world->removeRigidBody(body);
+			scene.m_world->addRigidBody(body);
+		}
+		EXPECT_FALSE(scene.m_action->repair(joint));
+		EXPECT_TRUE(scene.m_action->repair(*scene.m_world, joint));
+		EXPECT_EQ(1, scene.m_world->getNumConstraints());
+		scene.step(3);
+		EXPECT_EQ(6, joint->getNumCommittedRows());
+	}
+}
+
+TEST(Lifetimes, WhatIsInNoWorldStaysOutOfIt)
+{
+	for (Solver solver : SOLVERS)
+	{
+		// An action of two worlds, too, puts no joint into the one that it has never been in.
+		Torn scene(solver), other(solver);
+		const btElasticPlasticState broken = scene.m_joints[1]->getState(), whole = other.m_joints[0]->getState();
+		other.m_world->addAction(scene.m_action.get());
+		btElasticPlasticJoint* const joint = scene.m_joints[0].get();
+		EXPECT_TRUE(joint->setState(broken));
+		other.step();
+		EXPECT_TRUE(scene.m_action->repair(joint));
+		EXPECT_EQ(1, other.m_world->getNumConstraints());
+		EXPECT_EQ(1, scene.m_world->getNumConstraints());
+		scene.m_world->removeConstraint(scene.m_joints[0].get());
+		EXPECT_TRUE(joint->setState(broken));
+		scene.step();
+		EXPECT_TRUE(joint->setState(whole));
+		EXPECT_EQ(0, scene.m_world->getNumConstraints());
+		other.m_world->removeAction(scene.m_action.get());
+	}
+}
+
+TEST(Lifetimes, AnActionWithoutJointsIsDrawnInANewWorld)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Parts scene(solver), other(solver);
+		scene.row(1, btScalar(1.5), strong());
+		scene.step();
+		scene.deleteJoints();
+		scene.deleteWorld();
+		other.m_world->addAction(scene.m_action.get());
+		Canvas canvas;
+		other.m_world->setDebugDrawer(&canvas);
+		other.m_world->debugDrawWorld();
+		other.m_world->setDebugDrawer(nullptr);
+		other.m_world->removeAction(scene.m_action.get());
+	}
+}
+
 TEST(Lifetimes, AJointWhoseBodyIsDeletedIsNotRead)
 {
 	for (Solver solver : SOLVERS)

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "scenes/destruction/Stage.h"
 #include "solver/SmallDestruction.h"
@@ -28,13 +29,15 @@ struct Played
 	double m_turnover = 0;
 	btVector3 m_sum = btVector3(0, 0, 0);  // of bodies' places
 
-	explicit Played(long long maxWork, btElasticPlasticContacts contacts = BT_EP_CONTACTS_BY_ISLAND)
+	explicit Played(long long maxWork, btElasticPlasticContacts contacts = BT_EP_CONTACTS_BY_ISLAND,
+					long long maxInnerWork = btElasticPlasticSolverSettings().m_maxInnerWork)
 	{
 		const SmallDestruction scene = smallDestructions()[0];
 		Stage stage(scene.settings());
 		scene.build(stage);
 		btElasticPlasticSolverSettings settings = stage.solver()->getSettings();
 		settings.m_maxWork = maxWork;
+		settings.m_maxInnerWork = maxInnerWork;
 		settings.m_contacts = contacts;
 		stage.solver()->setSettings(settings);
 		EnergyAudit audit(stage.world());
@@ -69,6 +72,15 @@ TEST(WorkBound, IsKeptToAndMakesNoEnergy)
 	EXPECT_LT(bounded.m_mostWork, bound * 12 / 10);
 	// As in Destruction.EnergyIsNotGained.
 	EXPECT_LE(bounded.m_gain, 1e-6 * bounded.m_turnover + byPrecision(0, 1));
+}
+
+TEST(WorkBound, TheLargestNumberIsNoBound)
+{
+	const long long most = std::numeric_limits<long long>::max();
+	const Played free(0, BT_EP_CONTACTS_BY_ISLAND, most / 1000), largest(most, BT_EP_CONTACTS_BY_ISLAND, most);
+	EXPECT_EQ(0, largest.m_cut);
+	EXPECT_EQ(free.m_mostWork, largest.m_mostWork);
+	EXPECT_EQ(free.m_sum, largest.m_sum);
 }
 
 TEST(WorkBound, HoweverSmallMakesNoEnergy)

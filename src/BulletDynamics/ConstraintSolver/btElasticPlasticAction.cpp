@@ -49,7 +49,12 @@ bool btElasticPlasticAction::breakJoint(btDynamicsWorld& world, btElasticPlastic
 
 bool btElasticPlasticAction::repair(btElasticPlasticJoint* joint)
 {
-	return joint && m_registry->repair(*joint->m_works);
+	return joint && m_registry->repair(*joint->m_works, nullptr);
+}
+
+bool btElasticPlasticAction::repair(btDynamicsWorld& world, btElasticPlasticJoint* joint)
+{
+	return joint && m_registry->repair(*joint->m_works, &world);
 }
 
 int btElasticPlasticAction::getNumJoints() { return m_registry->getNumJoints(); }

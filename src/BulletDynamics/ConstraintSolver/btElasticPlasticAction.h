@@ -54,9 +54,14 @@ public:
 	/// \return false, and nothing happens, if the joint is broken, not known here, or not in the world
 	bool breakJoint(btDynamicsWorld& world, btElasticPlasticJoint* joint);
 
-	/// Puts a broken joint back into its world as new: no force, no plastic deformation, no damage, at the bodies' present pose.
-	/// \return false if the joint is not broken or not known here, or a body of it that moves is in no world.
+	/// Puts a broken joint back into the world that it has left as new: no force, no plastic deformation, no damage, at the bodies'
+	/// present pose. One that was in no world when it became broken stays out of it.
+	/// \return false if the joint is not broken or not known here, a body of it that moves is in no world, or both have left that world
+	/// since, which may be gone: then name the world.
 	bool repair(btElasticPlasticJoint* joint);
+
+	/// The same into a world that its bodies are in.
+	bool repair(btDynamicsWorld& world, btElasticPlasticJoint* joint);
 
 	int getNumJoints();
 	int getNumBroken() const;

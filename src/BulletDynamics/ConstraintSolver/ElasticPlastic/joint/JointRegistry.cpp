@@ -41,6 +41,33 @@ bool keepsFromColliding(btTypedConstraint& constraint)
 
 void JointRegistry::Entry::setIndex(int index) const { m_joint->m_entry.m_index = index; }
 
+void JointRegistry::Entry::leave(btDynamicsWorld& world)
+{
+	btTypedConstraint& constraint = m_joint->m_model.m_constraint;
+	m_world = &world;
+	m_disableCollisions = keepsFromColliding(constraint);
+	m_hasLeft = true;
+	for (int side = 0; side < 2; ++side)
+	{
+		const btRigidBody& body = side == 0 ? constraint.getRigidBodyA() : constraint.getRigidBodyB();
+		m_proxies[side] = body.getBroadphaseHandle();
+		m_uids[side] = m_proxies[side] ? m_proxies[side]->getUid() : 0;
+	}
+}
+
+bool JointRegistry::Entry::isWorldThere() const
+{
+	// A body that leaves a world, or whose world is deleted, loses its proxy; in another world it has another one.
+	const JointModel& model = m_joint->m_model;
+	for (int side = 0; side < 2; ++side)
+	{
+		const btBroadphaseProxy* const proxy = (side == 0 ? model.bodyA() : model.bodyB()).getBroadphaseHandle();
+		if (proxy && proxy == m_proxies[side] && proxy->getUid() == m_uids[side])
+			return true;
+	}
+	return false;
+}
+
 JointRegistry::~JointRegistry()
 {
 	while (getNumJoints() > 0)
@@ -87,7 +114,7 @@ bool JointRegistry::add(JointWorks& joint)
 		joint.m_entry.m_registry->remove(joint);
 	joint.m_entry.m_registry = this;
 	joint.m_entry.m_number = m_numNumbers++;
-	(joint.m_model.m_state.m_broken ? m_broken : m_joints).append({&joint, nullptr, false});
+	(joint.m_model.m_state.m_broken ? m_broken : m_joints).append(Entry(&joint));
 	m_hasNew = true;
 	return true;
 }
@@ -172,27 +199,30 @@ bool JointRegistry::breakJoint(btDynamicsWorld& world, JointWorks& joint)
 void JointRegistry::moveToBroken(JointWorks& joint)
 {
 	m_joints.remove(joint.m_entry.m_index);
-	m_broken.append({&joint, nullptr, false});
+	m_broken.append(Entry(&joint));
 }
 
-bool JointRegistry::putBack(JointWorks& joint)
+btElasticPlasticFault JointRegistry::putBack(JointWorks& joint, btDynamicsWorld* world)
 {
 	// A body without a broadphase handle is in no world: it has left its world, or that has been deleted.
-	if (joint.m_model.findMissingWorld())
-		return false;
+	if (const btElasticPlasticFault fault = joint.m_model.findMissingWorld())
+		return fault;
 	const Entry entry = m_broken[joint.m_entry.m_index];
+	if (!world && entry.m_world && !entry.isWorldThere())
+		return btElasticPlasticFault("number of bodies that have stayed in the world that the joint has left", 0,
+									 "1 or 2: call btElasticPlasticAction::repair with the world");
 	m_broken.remove(joint.m_entry.m_index);
 	endSeparation(joint);
-	if (entry.m_world)
-		entry.m_world->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
-	m_joints.append({&joint, nullptr, false});
+	if (world ? !isIn(*world, joint.m_model.m_constraint) : entry.m_world != nullptr)
+		(world ? world : entry.m_world)->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
+	m_joints.append(Entry(&joint));
 	joint.m_entry.m_worldIndex = 0;
-	return true;
+	return btElasticPlasticFault();
 }
 
-bool JointRegistry::repair(JointWorks& joint)
+bool JointRegistry::repair(JointWorks& joint, btDynamicsWorld* world)
 {
-	if (joint.m_entry.m_registry != this || !isBroken(joint) || !putBack(joint))
+	if (joint.m_entry.m_registry != this || !isBroken(joint) || putBack(joint, world))
 		return false;
 	joint.m_model.m_state = btElasticPlasticState();
 	joint.m_model.setReferenceToCurrentPose();
@@ -205,6 +235,9 @@ void JointRegistry::findDrawable(btAlignedObjectArray<JointWorks*>& joints)
 {
 	joints.resize(0);
 	btHashMap<btHashPtr, int> inWorld;
+	// Without joints the world may be gone, and the action have come to a new one.
+	if (getNumJoints() == 0)
+		return;
 	for (int i = 0; m_world && i < m_world->getNumCollisionObjects(); ++i)
 		inWorld.insert(btHashPtr(m_world->getCollisionObjectArray()[i]), i);
 	const auto isThere = [&](const btRigidBody& body)
@@ -396,30 +429,31 @@ void JointRegistry::removeBrokenFromWorld(btDynamicsWorld& world)
 		Entry& entry = m_broken[i];
 		if (entry.isGap())
 			continue;
-		if (entry.m_world)
+		if (entry.m_hasLeft)
 			return;
-		entry.m_world = &world;
-		entry.m_disableCollisions = removeFromWorld(world, *entry.m_joint);
+		removeFromWorld(world, entry);
 	}
 }
 
-/// \return whether the joint had kept its bodies from colliding
-bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
+void JointRegistry::removeFromWorld(btDynamicsWorld& world, Entry& entry)
 {
+	JointWorks& joint = *entry.m_joint;
 	btTypedConstraint& constraint = joint.m_model.m_constraint;
 	const bool wasInStep = joint.wasInStep();
 	// One that a state has made broken need not be in the world, and then its bodies may be deleted.
-	if (!wasInStep && !isIn(world, constraint))
-		return true;
+	entry.m_hasLeft = true;
+	if (wasInStep ? !isInWorld(world, joint) : !isIn(world, constraint))
+		return;
 	btRigidBody &a = constraint.getRigidBodyA(), &b = constraint.getRigidBodyB();
-	const bool kept = keepsFromColliding(constraint);
+	entry.leave(world);
 	const int place = isInWorld(world, joint) ? joint.m_entry.m_worldIndex : world.getNumConstraints();
 	world.removeConstraint(&constraint);
 	// Bullet has put the last one there.
 	if (JointWorks* const moved =
 			place < world.getNumConstraints() ? JointWorks::from(world.getConstraint(place)) : nullptr)
 		moved->m_entry.m_worldIndex = place;
-	if (kept && joint.m_separation.begin(world, constraint))
+	const bool isOfAnother = m_token.getWorld() && m_token.getWorld() != &world;
+	if (entry.m_disableCollisions && !isOfAnother && joint.m_separation.begin(world, constraint))
 	{
 		m_token.enter(world);
 		++m_numSeparations;
@@ -429,7 +463,6 @@ bool JointRegistry::removeFromWorld(btDynamicsWorld& world, JointWorks& joint)
 		wake(a);
 		wake(b);
 	}
-	return kept;
 }
 
 /// Tells of joints that bear nothing because no world asks for them: they were added here, but to no world, or a body of theirs has
@@ -498,7 +531,7 @@ void JointRegistry::arrange(btDynamicsWorld& world, const Standing* joints, int 
 		m_events.forget(joint.m_entry.m_events);
 		endSeparation(joint);
 		joint.m_entry.m_worldIndex = 0;
-		entries.push_back(isBroken(joint) ? m_broken[joint.m_entry.m_index] : Entry{&joint, nullptr, false});
+		entries.push_back(isBroken(joint) ? m_broken[joint.m_entry.m_index] : Entry(&joint));
 	}
 	m_joints.clear();
 	m_broken.clear();
@@ -506,20 +539,19 @@ void JointRegistry::arrange(btDynamicsWorld& world, const Standing* joints, int 
 	{
 		btTypedConstraint& constraint = joints[i].m_joint->m_model.m_constraint;
 		Entry& entry = entries[i];
-		const bool wasBroken = entry.m_world != nullptr;
+		const bool wasBroken = entry.m_hasLeft;
 		if (!joints[i].m_isBroken)
 		{
 			if (wasBroken)
 				world.addConstraint(&constraint, entry.m_disableCollisions);
-			m_joints.append({entry.m_joint, nullptr, false});
+			m_joints.append(Entry(entry.m_joint));
 			continue;
 		}
 		if (!wasBroken)
 		{
-			entry.m_disableCollisions = keepsFromColliding(constraint);
+			entry.leave(world);
 			world.removeConstraint(&constraint);
 		}
-		entry.m_world = &world;
 		if (joints[i].m_isSeparating)
 		{
 			entry.m_joint->m_separation.resume(world, constraint, joints[i].m_overlap);

@@ -42,14 +42,18 @@ public:
 	void remove(JointWorks& joint);
 	void removeBody(btDynamicsWorld& world, btRigidBody& body);
 	bool breakJoint(btDynamicsWorld& world, JointWorks& joint);
-	bool repair(JointWorks& joint);
+
+	/// \param world  where the joint is to come; null: that which it has left
+	bool repair(JointWorks& joint, btDynamicsWorld* world);
 
 	/// Takes a joint that has become broken off those that hold. It leaves its world at the end of the next substep.
 	void moveToBroken(JointWorks& joint);
 
-	/// Puts a broken joint back among those that hold, and into the world that it has left.
-	/// \return false, and nothing changes, if a body of it that moves is in no world
-	bool putBack(JointWorks& joint);
+	/// Puts a broken joint back among those that hold, and into the world that it has left, or into another one.
+	/// \param world  null: that which it has left
+	/// \return a fault, and nothing changes, if a body of it that moves is in no world, or nobody can tell whether there still is the world
+	/// that it has left
+	btElasticPlasticFault putBack(JointWorks& joint, btDynamicsWorld* world);
 
 	int getNumJoints() const { return m_joints.getCount() + m_broken.getCount(); }
 	int getNumBroken() const { return m_broken.getCount(); }
@@ -130,8 +134,19 @@ private:
 	struct Entry
 	{
 		JointWorks* m_joint;
-		btDynamicsWorld* m_world;  ///< that a broken joint has left; null: it holds, or is still where it was
-		bool m_disableCollisions;  ///< between the joint's bodies, while it holds
+		btDynamicsWorld* m_world = nullptr;  ///< that a broken joint has left; null: none
+		bool m_disableCollisions = false;    ///< between the joint's bodies, while it holds
+		bool m_hasLeft = false;              ///< a broken joint is in no world that has been stepped since
+		const btBroadphaseProxy* m_proxies[2] = {nullptr, nullptr};  ///< of the joint's bodies when it left
+		int m_uids[2] = {0, 0};                                      ///< of these
+
+		explicit Entry(JointWorks* joint = nullptr) : m_joint(joint) {}
+
+		/// Notes the world that a broken joint leaves.
+		void leave(btDynamicsWorld& world);
+
+		/// Whether the world that the joint has left still exists, as far as its bodies show: one of them has been in it all the time.
+		bool isWorldThere() const;
 
 		void setIndex(int index) const;
 		bool isGap() const { return !m_joint; }
@@ -149,7 +164,7 @@ private:
 	void wakeNeighbours(btDynamicsWorld& world, btRigidBody& body);
 	void tellLeftOut(const btDynamicsWorld& world);
 	void removeBrokenFromWorld(btDynamicsWorld& world);
-	bool removeFromWorld(btDynamicsWorld& world, JointWorks& joint);
+	void removeFromWorld(btDynamicsWorld& world, Entry& entry);
 	void endSeparations();
 	void endSeparation(JointWorks& joint);
 	void report(btElasticPlasticEventType type, JointWorks& joint,

@@ -112,8 +112,8 @@ bool JointWorks::setState(const btElasticPlasticState& state)
 	const bool wasBroken = m_model.m_state.m_broken;
 	JointRegistry* const registry = m_entry.m_registry;
 	btElasticPlasticFault fault = m_model.findStateFault(state);
-	if (!fault && registry && wasBroken && !state.m_broken && !registry->putBack(*this))
-		fault = m_model.findMissingWorld();
+	if (!fault && registry && wasBroken && !state.m_broken)
+		fault = registry->putBack(*this, nullptr);
 	if (fault)
 	{
 		tell(fault, registry);

@@ -333,7 +333,7 @@ int InnerSteps::mostLevel(const Task& task, int level) const
 /// Whether a level takes far more than there is for it: what was right for the last step is not, since more is joined or touches.
 bool InnerSteps::isTooMuch(const Task& task, int level) const
 {
-	return task.getMeanWork() << level > 2 * task.m_settings.m_maxInnerWork;
+	return (task.getMeanWork() << level) / 2 > task.m_settings.m_maxInnerWork;
 }
 
 /// The level of inner steps that what a step has left open asks for, as far as the settings let it have it.
