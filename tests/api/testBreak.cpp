@@ -307,6 +307,49 @@ TEST(LoadedState, OfAJointThatHeldGoesBackOnlyWithItsBodies)
 	EXPECT_EQ(6, joint->getNumCommittedRows());
 }
 
+/// Puts joints' states back before the action of the joints ends the step.
+struct PutsBack : btActionInterface
+{
+	std::vector<std::pair<btElasticPlasticJoint*, btElasticPlasticState>> m_states;
+	int m_broken = 0;
+
+	void updateAction(btCollisionWorld*, btScalar) override
+	{
+		for (auto& state : m_states)
+		{
+			m_broken += state.first->isBroken();
+			EXPECT_TRUE(state.first->setState(state.second));
+		}
+	}
+	void debugDraw(btIDebugDraw*) override {}
+};
+
+TEST(LoadedState, PutBackBeforeTheStepEndsUndoesABreakOfInnerSteps)
+{
+	Diary diary;
+	Pair pair(Solver::Direct);
+	btDynamicsWorld& world = pair.m_world.bullet();
+	pair.m_world.action().setListener(&diary);
+	PutsBack putsBack;
+	// Before the joints' own.
+	world.removeAction(&pair.m_world.action());
+	world.addAction(&putsBack);
+	world.addAction(&pair.m_world.action());
+	btElasticPlasticJoint* const joint = pair.join(brittle());
+	run(pair.m_world, 2);
+	putsBack.m_states.push_back({joint, joint->getState()});
+	for (int i = 0; i < 5; ++i)
+	{
+		pair.m_b->setLinearVelocity(btVector3(30, 0, 0));
+		run(pair.m_world, 1);
+		EXPECT_FALSE(joint->isBroken());
+		EXPECT_EQ(0, pair.m_world.action().getNumBroken());
+	}
+	EXPECT_GT(putsBack.m_broken, 0);
+	EXPECT_TRUE(diary.m_breaks.empty());
+	world.removeAction(&putsBack);
+}
+
 TEST(Teleport, TellsNoMoreEnergyThanTheDuctilityAllows)
 {
 	// A tie of 20 kN that tears at 0.2 m: 4 kJ, and what its spring holds.

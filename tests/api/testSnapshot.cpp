@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include <algorithm>
+#include <functional>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -595,5 +597,79 @@ TEST(Snapshot, FibresGoOnWithTheSameBits)
 		ASSERT_FALSE(restore(other.m_world, snapshot));
 		EXPECT_EQ(-1, firstDifference(expected, other.run(40))) << "saved at " << first << ", in a new world";
 	}
+}
+
+/// A snapshot as someone would forge it: another image, with the right checksum.
+Bytes forged(const Bytes& snapshot, const std::function<void(btElasticPlastic::WorldImage&)>& change)
+{
+	const size_t header = 16, checksumAt = 8;
+	btElasticPlastic::Reader reader(snapshot.data() + header, snapshot.size() - header);
+	btElasticPlastic::WorldImage image;
+	transfer(reader, image);
+	EXPECT_TRUE(reader.isComplete());
+	change(image);
+	btElasticPlastic::Writer counter(nullptr, 0);
+	transfer(counter, image);
+	Bytes bytes(header + counter.getSize());
+	std::copy_n(snapshot.begin(), header, bytes.begin());
+	btElasticPlastic::Writer writer(bytes.data() + header, counter.getSize());
+	transfer(writer, image);
+	const uint64_t checksum = btElasticPlastic::checksumOf(bytes.data() + header, counter.getSize());
+	memcpy(bytes.data() + checksumAt, &checksum, sizeof checksum);
+	return bytes;
+}
+
+TEST(Snapshot, WhatNoJointCanBeIsRefused)
+{
+	typedef btElasticPlastic::JointImage JointImage;
+	FibreBeam beam;
+	beam.run(10);
+	const Bytes snapshot = save(beam.m_world);
+	beam.run(3);
+	const Bytes now = save(beam.m_world);
+	EXPECT_EQ(snapshot, forged(snapshot, [](btElasticPlastic::WorldImage&) {}));
+	const btScalar bad = std::numeric_limits<btScalar>::quiet_NaN();
+	const std::vector<std::function<void(JointImage&)>> changes = {
+		[&](JointImage& j) { j.m_capacity.m_stiffness[2] = bad; },
+		[&](JointImage& j) { j.m_capacity.m_yield[0] = -1; },
+		[&](JointImage& j) { j.m_capacity.m_fibres[1].m_numPoints = 1000000; },
+		[&](JointImage& j) { j.m_capacity.m_fibres[1].m_firstPoint = -7; },
+		[&](JointImage& j) { j.m_dofs ^= 1u << 4; },
+		[&](JointImage& j) { j.m_dofs |= 1u << 31; },
+		[&](JointImage& j) { j.m_state.m_force[1] = bad; },
+		[&](JointImage& j) { j.m_state.m_watched[5] = std::numeric_limits<btScalar>::max(); },
+		[&](JointImage& j) { j.m_state.m_plasticRotation = btQuaternion(0, 0, 0, 0); },
+		[&](JointImage& j) { j.m_state.m_plasticPath[0] = -1; },
+		[&](JointImage& j) { j.m_state.m_plasticEnergy = -1; },
+		[&](JointImage& j) { j.m_state.m_lastStep = -1; },
+		[&](JointImage& j) { j.m_state.m_fibres[0].m_damage = -1; },
+		[&](JointImage& j) { j.m_state.m_fibres.pop_back(); },
+		[&](JointImage& j) { j.m_levels[0] = bad; },
+		[&](JointImage& j) { j.m_levels[3] = 0; },
+		[&](JointImage& j) { j.m_lastBounds[0] = 2; },
+		[&](JointImage& j) { j.m_lastFibreBounds.assign(1000, 0); },
+		[&](JointImage& j) { j.m_lastFibreBounds.assign(1, -2); },
+		[&](JointImage& j) { j.m_innerLevel = 200; },
+		[&](JointImage& j) { j.m_numUncommitted = std::numeric_limits<int>::max(); },
+		[&](JointImage& j) { j.m_nextRequest = 3; }};
+	for (size_t i = 0; i < changes.size(); ++i)
+	{
+		EXPECT_TRUE(restore(beam.m_world, forged(snapshot, [&](btElasticPlastic::WorldImage& image)
+												 { changes[i](image.m_joints[1]); })))
+			<< "change " << i;
+		EXPECT_EQ(now, save(beam.m_world)) << "change " << i;
+	}
+}
+
+TEST(Snapshot, CountsThatAreSpoiltAskForLittleMemory)
+{
+	// The first number is that of collision objects.
+	Bytes values(4000, 0);
+	values[2] = 1;
+	btElasticPlastic::Reader reader(values.data(), values.size());
+	btElasticPlastic::WorldImage image;
+	transfer(reader, image);
+	EXPECT_FALSE(reader.isComplete());
+	EXPECT_LT(image.m_objects.capacity() * sizeof(image.m_objects[0]), 20 * values.size());
 }
 }  // namespace

@@ -51,8 +51,6 @@ struct InDouble
 	}
 };
 
-bool isBound(signed char bound) { return bound >= -1 && bound <= 1; }
-
 /// \return how long it is
 size_t writeBody(JointBlock& block, unsigned char* buffer, size_t capacity)
 {
@@ -98,9 +96,7 @@ btElasticPlasticFault JointBlock::give(JointWorks& joint) const
 		// What is unlimited in double is more than that in float.
 		if (!face.setLevel(btElasticPlasticQuantity(q), btMin(m_levels[q], btElasticPlasticCapacity::unlimited())))
 			return btElasticPlasticFault("level of a quantity", m_levels[q], "greater than 0");
-	if (m_lastFibreBounds.size() > size_t(m_capacity.m_fibres.size()) ||
-		!std::all_of(m_lastBounds, m_lastBounds + BT_EP_DOF_COUNT, isBound) ||
-		!std::all_of(m_lastFibreBounds.begin(), m_lastFibreBounds.end(), isBound))
+	if (!areBounds(m_lastBounds, m_lastFibreBounds, m_capacity))
 		return btElasticPlasticFault("number of bounds of fibres", btScalar(m_lastFibreBounds.size()),
 									 "not above that of fibres, each of them -1, 0 or 1");
 	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)

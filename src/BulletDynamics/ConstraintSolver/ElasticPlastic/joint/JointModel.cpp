@@ -138,8 +138,13 @@ bool isRotation(const btQuaternion& q)
 const char* const WITHIN_YIELD = "within 64 times the joint's yield value (0 where it is not elastic-plastic)";
 const char* const KEPT = "finite and at most 1e37 in float, 1e250 in double";
 
+}  // namespace
+
 btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 {
+	for (const btQuaternion* rotation : {&state.m_plasticRotation, &state.m_plasticMiddle})
+		if (!isRotation(*rotation))
+			return btElasticPlasticFault("length of one of the state's rotations", rotation->length(), "1");
 	const struct
 	{
 		const char* m_name;
@@ -169,7 +174,17 @@ btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 									 fibre.m_rate, fibre.m_rateShare})
 			if (!canBeKept(value))
 				return btElasticPlasticFault("a number of one of the state's fibres", value, KEPT);
+		if (fibre.m_rateShare < 0)
+			return btElasticPlasticFault("share by which one of the state's fibres is stronger than at rest",
+										 fibre.m_rateShare, "not negative");
+		if (fibre.m_damage < 0)
+			return btElasticPlasticFault("damage of one of the state's fibres", fibre.m_damage, "not negative");
+		if (fibre.m_path < 0)
+			return btElasticPlasticFault("plastic path of one of the state's fibres [m]", fibre.m_path, "not negative");
 	}
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (state.m_plasticPath[i] < 0)
+			return btElasticPlasticFault("the state's plastic path", state.m_plasticPath[i], "not negative", i);
 	const struct
 	{
 		const char* m_name;
@@ -182,31 +197,6 @@ btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 	for (const auto& energy : energies)
 		if (!btElasticPlasticIsFinite(energy.m_value))
 			return btElasticPlasticFault(energy.m_name, btScalar(energy.m_value), "finite");
-	return btElasticPlasticFault();
-}
-}  // namespace
-
-btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& state) const
-{
-	const btQuaternion* const rotations[2] = {&state.m_plasticRotation, &state.m_plasticMiddle};
-	for (const btQuaternion* rotation : rotations)
-		if (!isRotation(*rotation))
-			return btElasticPlasticFault("length of one of the state's rotations", rotation->length(), "1");
-	if (const btElasticPlasticFault fault = findNumberFault(state))
-		return fault;
-	if (const btElasticPlasticFault fault = findFibreFault(state))
-		return fault;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-	{
-		const btScalar most = mostForce(state, i);
-		if (btFabs(state.m_force[i]) > most)
-			return btElasticPlasticFault("the state's force", state.m_force[i], WITHIN_YIELD, i);
-		for (const btScalar* branch : state.m_branch)
-			if (btFabs(branch[i]) > most)
-				return btElasticPlasticFault("the state's damping force", branch[i], WITHIN_YIELD, i);
-		if (state.m_plasticPath[i] < 0)
-			return btElasticPlasticFault("the state's plastic path", state.m_plasticPath[i], "not negative", i);
-	}
 	if (state.m_plasticEnergy < 0)
 		return btElasticPlasticFault("the state's plastic energy [J]", btScalar(state.m_plasticEnergy), "not negative");
 	if (state.m_dampingEnergy < 0)
@@ -220,6 +210,24 @@ btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& st
 	for (const auto& step : steps)
 		if (!canBeKept(step.m_value) || step.m_value < 0)
 			return btElasticPlasticFault(step.m_name, step.m_value, "finite and not negative");
+	return btElasticPlasticFault();
+}
+
+btElasticPlasticFault JointModel::findStateFault(const btElasticPlasticState& state) const
+{
+	if (const btElasticPlasticFault fault = findNumberFault(state))
+		return fault;
+	if (const btElasticPlasticFault fault = findFibreFault(state))
+		return fault;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		const btScalar most = mostForce(state, i);
+		if (btFabs(state.m_force[i]) > most)
+			return btElasticPlasticFault("the state's force", state.m_force[i], WITHIN_YIELD, i);
+		for (const btScalar* branch : state.m_branch)
+			if (btFabs(branch[i]) > most)
+				return btElasticPlasticFault("the state's damping force", branch[i], WITHIN_YIELD, i);
+	}
 	return btElasticPlasticFault();
 }
 
@@ -259,16 +267,9 @@ btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& st
 	{
 		const btElasticPlasticFibreState& own = state.m_fibres[i];
 		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
-		if (own.m_rateShare < 0)
-			return btElasticPlasticFault("share by which one of the state's fibres is stronger than at rest",
-										 own.m_rateShare, "not negative");
 		if (btFabs(own.m_force) > mostForce(own, fibre))
 			return btElasticPlasticFault("force of one of the state's fibres [N]", own.m_force,
 										 "within 64 times the fibre's tension or compression");
-		if (own.m_damage < 0)
-			return btElasticPlasticFault("damage of one of the state's fibres", own.m_damage, "not negative");
-		if (own.m_path < 0)
-			return btElasticPlasticFault("plastic path of one of the state's fibres [m]", own.m_path, "not negative");
 	}
 	return btElasticPlasticFault();
 }

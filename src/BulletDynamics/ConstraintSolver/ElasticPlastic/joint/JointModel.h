@@ -18,6 +18,9 @@ inline bool canBeKept(btScalar value)
 	return btElasticPlasticIsFinite(double(value)) && btFabs(value) <= btElasticPlasticCapacity::greatestYield();
 }
 
+/// \return a fault if a state has a number that none keeps, whatever its joint
+btElasticPlasticFault findNumberFault(const btElasticPlasticState& state);
+
 /// A joint between steps: its two bodies and frames, its capacity, and its state.
 struct JointModel
 {

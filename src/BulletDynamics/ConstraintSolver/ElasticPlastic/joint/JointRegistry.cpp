@@ -84,7 +84,6 @@ JointWorks& JointRegistry::getJoint(int index)
 	return index < holding ? *m_joints.get(index).m_joint : *m_broken.get(index - holding).m_joint;
 }
 
-/// Whether a joint of this registry is in its list of broken ones.
 bool JointRegistry::isBroken(const JointWorks& joint)
 {
 	const int index = joint.m_entry.m_index;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../../btElasticPlasticEvent.h"
+#include "../../btElasticPlasticFault.h"
 #include "EnergyLedger.h"
 #include "EventQueue.h"
 #include "GapList.h"
@@ -16,6 +17,7 @@
 #include "LinearMath/btHashMap.h"
 #include "WorldToken.h"
 
+struct btBroadphaseProxy;
 class btDynamicsWorld;
 class btRigidBody;
 
@@ -54,6 +56,9 @@ public:
 	/// \return a fault, and nothing changes, if a body of it that moves is in no world, or nobody can tell whether there still is the world
 	/// that it has left
 	btElasticPlasticFault putBack(JointWorks& joint, btDynamicsWorld* world);
+
+	/// Whether a joint that is known here is among the broken ones.
+	bool isBroken(const JointWorks& joint);
 
 	int getNumJoints() const { return m_joints.getCount() + m_broken.getCount(); }
 	int getNumBroken() const { return m_broken.getCount(); }
@@ -154,7 +159,6 @@ private:
 	};
 	typedef GapList<Entry> List;
 
-	bool isBroken(const JointWorks& joint);
 	void removeJointsOf(const btRigidBody& body, List& list);
 	void limitEnergy(const btDynamicsWorld& world);
 	void commitJoints(const btDynamicsWorld& world);

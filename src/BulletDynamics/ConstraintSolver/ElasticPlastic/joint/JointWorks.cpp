@@ -109,8 +109,9 @@ void JointWorks::tellFaultOnce()
 
 bool JointWorks::setState(const btElasticPlasticState& state)
 {
-	const bool wasBroken = m_model.m_state.m_broken;
 	JointRegistry* const registry = m_entry.m_registry;
+	// Inner steps may have broken it in a step that has not ended: its registry does not know yet.
+	const bool wasBroken = registry ? registry->isBroken(*this) : m_model.m_state.m_broken;
 	btElasticPlasticFault fault = m_model.findStateFault(state);
 	if (!fault && registry && wasBroken && !state.m_broken)
 		fault = registry->putBack(*this, nullptr);
@@ -122,7 +123,7 @@ bool JointWorks::setState(const btElasticPlasticState& state)
 	if (registry && !wasBroken && state.m_broken)
 		registry->moveToBroken(*this);
 	m_model.m_state = state;
-	m_step.forget();
+	leaveStep();
 	return true;
 }
 

@@ -13,11 +13,15 @@ namespace btElasticPlastic
 class Levels
 {
 public:
+	static bool isLevel(btScalar level)
+	{
+		return btElasticPlasticIsFinite(level) && level > 0 && level <= btElasticPlasticCapacity::unlimited();
+	}
+
 	/// \return whether the quantity is one and the level in its range
 	bool set(btElasticPlasticQuantity quantity, btScalar level)
 	{
-		if (!isQuantity(quantity) || !btElasticPlasticIsFinite(level) || level <= 0 ||
-			level > btElasticPlasticCapacity::unlimited())
+		if (!isQuantity(quantity) || !isLevel(level))
 			return false;
 		m_level[quantity] = level;
 		m_isAnySet = false;

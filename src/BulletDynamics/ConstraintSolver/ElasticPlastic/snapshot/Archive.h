@@ -82,13 +82,15 @@ public:
 	{
 		uint32_t count;
 		(*this)(count);
-		// An element has a byte at least.
-		m_hasFailed |= count > m_size - m_place;
+		// In memory an element takes up to MOST_GROWTH times the bytes that there are of it: a spoilt count asks for no more.
+		m_hasFailed |= count > MOST_GROWTH * (m_size - m_place) / sizeof(elements[0]);
 		elements.resize(m_hasFailed ? 0 : decltype(elements.size())(count));
 		return size_t(elements.size());
 	}
 
 private:
+	static constexpr size_t MOST_GROWTH = 16;
+
 	const unsigned char* m_buffer;
 	size_t m_size, m_place = 0;
 	bool m_hasFailed = false;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "../../btElasticPlasticAction.h"
+#include "../../btElasticPlasticSolverSettings.h"
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
 #include "BroadphaseState.h"
@@ -75,25 +76,22 @@ bool isPermutation(std::vector<int> numbers)
 	return true;
 }
 
-bool isStateFinite(const btElasticPlasticState& state)
+/// Substeps that nobody has committed, before a joint is refused; generously.
+const int MOST_UNCOMMITTED = 100;
+
+/// Whether there can be a joint as an image shows it, whatever its bodies are: a saved game may have been written by anybody.
+bool isSound(const JointImage& image)
 {
-	double sum = state.m_work + state.m_storedEnergy + state.m_placeEnergy + state.m_plasticEnergy +
-				 state.m_dampingEnergy + double(state.m_lastStep) + double(state.m_withheldStep) +
-				 double(state.m_plasticRotation.length2()) + double(state.m_plasticMiddle.length2());
-	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
-		sum += double(state.m_plastic[dof]) + double(state.m_force[dof]) + double(state.m_forceRate[dof]) +
-			   double(state.m_withheld[dof]) + double(state.m_applied[dof]) + double(state.m_appliedBefore[dof]) +
-			   double(state.m_plasticPath[dof]) + double(state.m_watched[dof]) + double(state.m_load[0][dof]) +
-			   double(state.m_load[1][dof]) + double(dof < 3 ? state.m_initial[dof] + state.m_fibreStrain[dof] : 0);
-	for (const btScalar* branch : state.m_branch)
-		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
-			sum += double(branch[dof]);
-	for (int i = 0; i < state.m_fibres.size(); ++i)
-		sum += double(state.m_fibres[i].m_force) + double(state.m_fibres[i].m_forceRate) +
-			   double(state.m_fibres[i].m_offset) + double(state.m_fibres[i].m_damage) +
-			   double(state.m_fibres[i].m_path) + double(state.m_fibres[i].m_rate) +
-			   double(state.m_fibres[i].m_rateShare);
-	return btElasticPlasticIsFinite(sum);
+	const btElasticPlasticCapacity& capacity = image.m_capacity;
+	unsigned dofs = 0;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		dofs |= unsigned(capacity.isElasticPlastic(i)) << i;
+	return !capacity.fault() && dofs == image.m_dofs && !findNumberFault(image.m_state) &&
+		   image.m_state.m_fibres.size() == capacity.m_fibres.size() &&
+		   std::all_of(image.m_levels, image.m_levels + BT_EP_QUANTITY_COUNT, &Levels::isLevel) &&
+		   areBounds(image.m_lastBounds, image.m_lastFibreBounds, capacity) && image.m_innerLevel < 31 &&
+		   1 << image.m_innerLevel <= btElasticPlasticSolverSettings::MAX_INNER_STEPS && image.m_numUncommitted >= 0 &&
+		   image.m_numUncommitted <= MOST_UNCOMMITTED && image.m_nextRequest >= 0 && image.m_nextRequest <= 2;
 }
 
 uint64_t keyOf(int first, int second) { return uint64_t(unsigned(first)) << 32 | unsigned(second); }
@@ -371,15 +369,14 @@ btElasticPlasticFault Snapshot::findForeignJoint(const WorldImage& image) const
 		const JointModel& model = m_joints[number]->m_model;
 		if (joint.m_bodies[0] != rankOf(model.bodyA()) || joint.m_bodies[1] != rankOf(model.bodyB()))
 			return foreign("number of a joint between these bodies", joint.m_number);
-		if (!isStateFinite(joint.m_state) || joint.m_state.m_fibres.size() != joint.m_capacity.m_fibres.size() ||
-			(!hasBodies(*m_joints[number]) && joint.m_state.m_broken != model.m_state.m_broken))
+		if (!isSound(joint) || (!hasBodies(*m_joints[number]) && joint.m_state.m_broken != model.m_state.m_broken))
 			return foreign("state of a joint with the number", joint.m_number);
 		// Broken ones come last.
 		if (isBroken && !joint.m_state.m_broken)
 			return foreign("number of a joint that holds", joint.m_number);
 		isBroken = joint.m_state.m_broken;
 		isSeparating |= joint.m_isSeparating;
-		if ((joint.m_isSeparating && !isBroken) || joint.m_nextRequest < 0 || joint.m_nextRequest > 2)
+		if (joint.m_isSeparating && !isBroken)
 			return foreign("state of a joint with the number", joint.m_number);
 	}
 	if (isSeparating != image.m_hasToken)

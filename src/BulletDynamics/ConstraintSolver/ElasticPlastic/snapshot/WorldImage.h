@@ -4,6 +4,9 @@
 #ifndef BT_ELASTIC_PLASTIC_WORLD_IMAGE_H
 #define BT_ELASTIC_PLASTIC_WORLD_IMAGE_H
 
+#include <algorithm>
+#include <vector>
+
 #include "../../btElasticPlasticCapacity.h"
 #include "../../btElasticPlasticEvent.h"
 #include "../../btElasticPlasticInnerMotion.h"
@@ -165,6 +168,16 @@ struct JointImage
 	bool m_isSeparating = false;
 	btScalar m_overlap = 0;
 };
+
+/// Whether rows' bounds of the last step can be those of a joint: -1, 0 or 1, and no more than it has fibres.
+inline bool areBounds(const signed char (&bounds)[BT_EP_DOF_COUNT], const std::vector<signed char>& ofFibres,
+					  const btElasticPlasticCapacity& capacity)
+{
+	const auto isBound = [](signed char bound) { return bound >= -1 && bound <= 1; };
+	return ofFibres.size() <= size_t(capacity.m_fibres.size()) &&
+		   std::all_of(bounds, bounds + BT_EP_DOF_COUNT, isBound) &&
+		   std::all_of(ofFibres.begin(), ofFibres.end(), isBound);
+}
 
 template <class Archive>
 void transfer(Archive& archive, JointImage& image)
