@@ -90,6 +90,85 @@ TEST_F(CInterface, RefusesWhatIsOutOfRange)
 	EXPECT_EQ(BTEP_OK, btep_world_step(m_world, 1. / 60));
 }
 
+TEST_F(CInterface, RefusesNumbersWhoseSquaresOrInversesAreNone)
+{
+	int made = 0;
+	btep_body_description light = m_cube, thin = m_cube;
+	light.m_mass = 1e-310;
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_create(m_world, &light, &made));
+	expectMessage("mass and extents");
+	thin.m_extent[0] = thin.m_extent[1] = 1e-200;
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_create(m_world, &thin, &made));
+	btep_body_description heavy = m_cube;
+	heavy.m_mass = 1e306;
+	heavy.m_extent[0] = 1e10;
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_create(m_world, &heavy, &made));
+	const double fast[3] = {1e200, 0, 0};
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_set_velocity(m_world, m_block, fast, ORIGIN));
+	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_set_velocity(m_world, m_block, ORIGIN, fast));
+	EXPECT_EQ(0, made);
+}
+
+TEST_F(CInterface, TakesRotationsOfAnyLength)
+{
+	for (const double length : {1e-300, 1e-20, 1., 1e20, 1e300})
+	{
+		btep_body_description body = m_cube;
+		body.m_position[0] = 5;
+		body.m_rotation[0] = body.m_rotation[3] = length;
+		int made = 0;
+		ASSERT_EQ(BTEP_OK, btep_body_create(m_world, &body, &made)) << length;
+		double place[3], turn[4];
+		ASSERT_EQ(BTEP_OK, btep_body_get_pose(m_world, made, place, turn));
+		EXPECT_NEAR(sqrt(0.5), turn[0], 1e-6) << length;
+		EXPECT_NEAR(sqrt(0.5), turn[3], 1e-6) << length;
+		ASSERT_EQ(BTEP_OK, btep_body_destroy(m_world, made));
+	}
+}
+
+TEST_F(CInterface, UnreadEventsStayBounded)
+{
+	const double middle[3] = {0, -0.5, 0};
+	int joint = 0;
+	ASSERT_EQ(BTEP_OK, btep_joint_create(m_world, m_wall, m_block, middle, UPRIGHT, &m_capacity, &joint));
+	ASSERT_EQ(BTEP_OK, btep_joint_set_level(m_world, joint, 0.1));
+	int read = 0;
+	btep_event event = {sizeof event, 0, 0, 0, 0, 0, {}, {}, {}, 0, 0};
+	for (int i = 0; i < 200; ++i)
+	{
+		const double force[3] = {i % 2 ? 5e3 : 0, 0, 0};
+		ASSERT_EQ(BTEP_OK, btep_body_apply_force(m_world, m_block, force));
+		ASSERT_EQ(BTEP_OK, btep_world_step(m_world, 1. / 10));
+		// Read one by one they are all told.
+		if (i < 100)
+			read += btep_event_next(m_world, &event) == BTEP_OK;
+	}
+	EXPECT_GT(read, 20);
+	int unread = 0;
+	while (btep_event_next(m_world, &event) == BTEP_OK)
+		++unread;
+	EXPECT_EQ(1, unread);
+	EXPECT_EQ(BTEP_LEVEL, event.m_type);
+	EXPECT_EQ(joint, event.m_joint);
+}
+
+TEST_F(CInterface, TheSameCapacityHasOneNumber)
+{
+	const btep_material steel = {sizeof steel, 200e9, 0.3, 200e6, 0.2, 0.01, 1, 0};
+	int number = 0;
+	for (int i = 0; i < 3; ++i)
+	{
+		int section = 0;
+		ASSERT_EQ(BTEP_OK, btep_section_create(m_world, &steel, 0.1, 0.2, 8, &section));
+		ASSERT_EQ(BTEP_OK, btep_capacity_of_section(m_world, section, 0.5, 0.5, 0, &m_capacity));
+		EXPECT_TRUE(i == 0 || number == m_capacity.m_fibres);
+		number = m_capacity.m_fibres;
+		ASSERT_EQ(BTEP_OK, btep_capacity_of_section(m_world, section, 0.5, 0.6, 0, &m_capacity));
+		EXPECT_NE(number, m_capacity.m_fibres);
+		ASSERT_EQ(BTEP_OK, btep_section_destroy(m_world, section));
+	}
+}
+
 TEST_F(CInterface, HoldsAndFrees)
 {
 	const double middle[3] = {0, -0.5, 0};

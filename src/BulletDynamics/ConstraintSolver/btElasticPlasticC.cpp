@@ -3,13 +3,13 @@
 
 #include "btElasticPlasticC.h"
 
+#include <math.h>
 #include <stdio.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
-#include <vector>
 
+#include "ElasticPlastic/joint/EventQueue.h"
 #include "btBulletDynamicsCommon.h"
 #include "btElasticPlastic6DofSpring2Constraint.h"
 #include "btElasticPlasticAction.h"
@@ -26,6 +26,12 @@ struct btep_world : btElasticPlasticListener
 		std::unique_ptr<btRigidBody> m_body;
 	};
 
+	struct Link
+	{
+		std::unique_ptr<Joint> m_joint;
+		btElasticPlastic::UnreadEvents m_unread;
+	};
+
 	struct Section
 	{
 		btElasticPlasticSection m_section;
@@ -39,11 +45,10 @@ struct btep_world : btElasticPlasticListener
 	btDiscreteDynamicsWorld m_world{&m_dispatcher, &m_broadphase, &m_solver, &m_configuration};
 	btElasticPlasticAction m_action;
 	std::map<int, Body> m_bodies;
-	std::map<int, std::unique_ptr<Joint>> m_joints;
+	std::map<int, Link> m_joints;
 	std::map<int, Section> m_sections;
 	std::map<int, btElasticPlasticCapacity> m_fibres;  ///< capacities with fibres
-	std::vector<btElasticPlasticEvent> m_events;
-	size_t m_numRead = 0;  ///< of the events
+	btElasticPlastic::EventQueue m_events;
 	int m_lastHandle = 0;
 	char m_message[320] = {};
 
@@ -58,20 +63,25 @@ struct btep_world : btElasticPlasticListener
 	~btep_world() override
 	{
 		for (auto& joint : m_joints)
-			m_world.removeConstraint(joint.second.get());
+			m_world.removeConstraint(joint.second.m_joint.get());
 		m_joints.clear();
 		for (auto& body : m_bodies)
 			m_world.removeRigidBody(body.second.m_body.get());
 		m_world.removeAction(&m_action);
 	}
 
-	void onYield(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
-	void onBreak(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
-	void onLevel(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
-	void onCrack(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
-	void onRupture(const btElasticPlasticEvent& event) override { m_events.push_back(event); }
+	void onYield(const btElasticPlasticEvent& event) override { keep(event); }
+	void onBreak(const btElasticPlasticEvent& event) override { keep(event); }
+	void onLevel(const btElasticPlasticEvent& event) override { keep(event); }
+	void onCrack(const btElasticPlasticEvent& event) override { keep(event); }
+	void onRupture(const btElasticPlasticEvent& event) override { keep(event); }
 	void onRefused(btElasticPlasticJoint&, const char* text) override { say(text); }
 	void onBadStep(btScalar, const char* text) override { say(text); }
+
+	void keep(const btElasticPlasticEvent& event)
+	{
+		m_events.push(event, m_joints[event.m_joint->getConstraint().getUserConstraintId()].m_unread);
+	}
 
 	void say(const char* text) { snprintf(m_message, sizeof m_message, "%s", text); }
 
@@ -94,7 +104,7 @@ struct btep_world : btElasticPlasticListener
 		const auto place = m_joints.find(joint);
 		if (place == m_joints.end())
 			snprintf(m_message, sizeof m_message, "%d is no joint of this world", joint);
-		return place == m_joints.end() ? nullptr : place->second.get();
+		return place == m_joints.end() ? nullptr : place->second.m_joint.get();
 	}
 
 	Section* findSection(int section)
@@ -108,11 +118,9 @@ struct btep_world : btElasticPlasticListener
 	void destroyJoint(int joint)
 	{
 		// Its number goes with it: events that have not been read are not told any more.
-		const btElasticPlasticJoint* const gone = m_joints[joint].get();
-		m_events.erase(std::remove_if(m_events.begin() + long(m_numRead), m_events.end(),
-									  [gone](const btElasticPlasticEvent& event) { return event.m_joint == gone; }),
-					   m_events.end());
-		m_world.removeConstraint(m_joints[joint].get());
+		Link& gone = m_joints[joint];
+		m_events.forget(gone.m_unread);
+		m_world.removeConstraint(gone.m_joint.get());
 		m_joints.erase(joint);
 	}
 };
@@ -139,20 +147,42 @@ bool areFinite(const double* numbers, int count)
 	return areFinite;
 }
 
+double largestOf(const double rotation[4])
+{
+	double largest = 0;
+	for (int i = 0; i < 4; ++i)
+		largest = btMax(largest, fabs(rotation[i]));
+	return largest;
+}
+
 bool isPose(const double position[3], const double rotation[4])
 {
-	double square = 0;
+	bool isRotation = largestOf(rotation) > 0;
 	for (int i = 0; i < 4; ++i)
-		square += rotation[i] * rotation[i];
-	return areFinite(position, 3) && areFinite(rotation, 4) && square > 1e-12;
+		isRotation &= btElasticPlasticIsFinite(rotation[i]);
+	return areFinite(position, 3) && isRotation;
 }
 
 btTransform poseOf(const double position[3], const double rotation[4])
 {
-	return btTransform(
-		btQuaternion(btScalar(rotation[0]), btScalar(rotation[1]), btScalar(rotation[2]), btScalar(rotation[3]))
-			.normalized(),
-		vectorOf(position));
+	// Squares of numbers that are large or small are no numbers.
+	const double largest = largestOf(rotation);
+	btQuaternion turn;
+	for (int i = 0; i < 4; ++i)
+		turn[i] = btScalar(rotation[i] / largest);
+	return btTransform(turn.normalized(), vectorOf(position));
+}
+
+/// Whether Bullet can reckon with a number and with what it is the inverse of.
+bool hasInverse(btScalar value)
+{
+	return value > 0 && btElasticPlasticIsFinite(double(value)) && btElasticPlasticIsFinite(double(1 / value));
+}
+
+/// Whether velocities have energies that are numbers.
+bool areVelocities(const double numbers[3])
+{
+	return areFinite(numbers, 3) && btElasticPlasticIsFinite(double(vectorOf(numbers).length2()));
 }
 
 btElasticPlasticCapacity capacityOf(const btep_capacity& from)
@@ -282,6 +312,11 @@ int btep_body_create(btep_world* world, const btep_body_description* description
 	btVector3 inertia(0, 0, 0);
 	if (d.m_mass > 0)
 		made.m_shape->calculateLocalInertia(btScalar(d.m_mass), inertia);
+	if (d.m_mass > 0 && !(hasInverse(btScalar(d.m_mass)) && hasInverse(inertia.x()) && hasInverse(inertia.y()) &&
+						  hasInverse(inertia.z())))
+		return world->fail(
+			BTEP_BAD_VALUE,
+			"mass and extents of a body: its mass and inertia must be finite, and so must be 1 over them");
 	btRigidBody::btRigidBodyConstructionInfo info(btScalar(d.m_mass), nullptr, made.m_shape.get(), inertia);
 	info.m_startWorldTransform = poseOf(d.m_position, d.m_rotation);
 	info.m_friction = btScalar(d.m_friction);
@@ -302,7 +337,7 @@ int btep_body_destroy(btep_world* world, int body)
 	for (auto place = world->m_joints.begin(); place != world->m_joints.end();)
 	{
 		const int joint = place->first;
-		const btTypedConstraint& constraint = *place->second;
+		const btTypedConstraint& constraint = *place->second.m_joint;
 		++place;
 		if (&constraint.getRigidBodyA() == found || &constraint.getRigidBodyB() == found)
 			world->destroyJoint(joint);
@@ -345,8 +380,8 @@ int btep_body_set_velocity(btep_world* world, int body, const double linear[3], 
 	btRigidBody* const found = world->find(body);
 	if (!found)
 		return BTEP_BAD_HANDLE;
-	if (!areFinite(linear, 3) || !areFinite(angular, 3))
-		return world->fail(BTEP_BAD_VALUE, "velocities of a body: they must be finite");
+	if (!areVelocities(linear) || !areVelocities(angular))
+		return world->fail(BTEP_BAD_VALUE, "velocities of a body: they must be finite, and so must be their squares");
 	found->activate();
 	found->setLinearVelocity(vectorOf(linear));
 	found->setAngularVelocity(vectorOf(angular));
@@ -446,6 +481,12 @@ int btep_capacity_of_section(btep_world* world, int section, double length_a, do
 	if (const btElasticPlasticFault fault = made.fault())
 		return failBy(world, fault);
 	write(made, *capacity);
+	for (const auto& known : world->m_fibres)
+		if (known.second.isSameAs(made))
+		{
+			capacity->m_fibres = known.first;
+			return BTEP_OK;
+		}
 	capacity->m_fibres = ++world->m_lastHandle;
 	world->m_fibres[capacity->m_fibres] = made;
 	return BTEP_OK;
@@ -500,7 +541,7 @@ int btep_joint_create(btep_world* world, int body_a, int body_b, const double po
 	world->m_world.addConstraint(made.get(), true);
 	*joint = ++world->m_lastHandle;
 	made->setUserConstraintId(*joint);
-	world->m_joints[*joint] = std::move(made);
+	world->m_joints[*joint].m_joint = std::move(made);
 	a->activate();
 	b->activate();
 	return BTEP_OK;
@@ -602,13 +643,9 @@ int btep_event_next(btep_world* world, btep_event* event)
 		return world->fail(BTEP_BAD_POINTER, "result of an event is null");
 	if (event->m_size != sizeof *event)
 		return world->fail(BTEP_BAD_VERSION, "m_size of an event is not that of a known version");
-	if (world->m_numRead == world->m_events.size())
-	{
-		world->m_events.clear();
-		world->m_numRead = 0;
+	btElasticPlasticEvent from;
+	if (!world->m_events.pop(from))
 		return BTEP_NO_EVENT;
-	}
-	const btElasticPlasticEvent& from = world->m_events[world->m_numRead++];
 	event->m_type = typeOf(from.m_type);
 	event->m_joint = from.m_joint->getConstraint().getUserConstraintId();
 	event->m_dof = from.m_dof;

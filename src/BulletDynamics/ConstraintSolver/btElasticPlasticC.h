@@ -21,7 +21,7 @@ extern "C"
 {
 #endif
 
-/* Of this header. A library serves all programs that were compiled with its own version or a lower one. */
+/* Of this header. A library refuses programs that were compiled with another one. */
 #define BTEP_VERSION 3
 
 	typedef struct btep_world btep_world;
@@ -195,7 +195,8 @@ extern "C"
 	/* Has BTEP_LEVEL come when the joint's utilisation rises to a level > 0. */
 	int btep_joint_set_level(btep_world* world, int joint, double utilisation);
 
-	/* The oldest event that has not been read. \return BTEP_NO_EVENT if there is none */
+	/* The oldest event that has not been read. Of each joint, type and fibre the newest is kept: unread, they stay bounded.
+   \return BTEP_NO_EVENT if there is none */
 	int btep_event_next(btep_world* world, struct btep_event* event);
 
 #ifdef __cplusplus
