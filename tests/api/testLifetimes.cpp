@@ -42,7 +42,9 @@ struct Diary : btElasticPlasticListener
 	std::vector<btElasticPlasticJoint*> m_broken;
 	std::vector<std::string> m_refused;
 	std::function<void()> m_atBreak;
+	int m_cracks = 0;
 
+	void onCrack(const btElasticPlasticEvent&) override { ++m_cracks; }
 	void onBreak(const btElasticPlasticEvent& event) override
 	{
 		m_broken.push_back(event.m_joint);
@@ -613,6 +615,58 @@ TEST(Lifetimes, ABodyMayBeDeletedWithinAStep)
 		scene.m_joints.erase(scene.m_joints.begin() + 1, scene.m_joints.begin() + 3);
 		scene.m_bodies.erase(scene.m_bodies.begin() + 2);
 	}
+}
+
+TEST(Lifetimes, NothingIsToldOfFibresWhoseBodyIsDeletedWithinAStep)
+{
+	// Inner steps crack fibres before the joints' own action ends the step.
+	Diary diary;
+	WithinAStep scene(Solver::Direct);
+	scene.m_action->setListener(&diary);
+	btElasticPlasticMaterial concrete = btElasticPlasticMaterial::steel(btScalar(30e6));
+	concrete.m_tensileShare = btScalar(0.1);
+	concrete.m_ultimatePlasticStrain = btScalar(1e-5);
+	btElasticPlastic6DofSpring2Constraint& last = *scene.m_joints[3];
+	ASSERT_TRUE(last.setCapacity(btElasticPlasticCapacity::fromMember(
+		concrete, btElasticPlasticSection::rectangle(btScalar(0.3), btScalar(0.3)).withFibres(9), btScalar(0.75),
+		btScalar(0.75))));
+	scene.m_bodies[4]->setLinearVelocity(btVector3(20, 0, 0));
+	int cracked = 0;
+	scene.doWithinAStep(
+		[&]
+		{
+			for (int i = 0; i < last.getState().m_fibres.size(); ++i)
+				cracked += last.getState().m_fibres[i].m_isCracked;
+			scene.m_world->removeConstraint(&last);
+			scene.m_world->removeRigidBody(scene.m_bodies[4].get());
+			scene.m_bodies.pop_back();
+		});
+	EXPECT_GT(cracked, 0);
+	EXPECT_EQ(0, diary.m_cracks);
+	scene.m_joints.pop_back();
+}
+
+TEST(Lifetimes, NothingIsToldOfAStepThatNobodyHasEndedOnceABodyIsDeleted)
+{
+	Diary diary;
+	Parts scene(Solver::Direct);
+	scene.m_action->setListener(&diary);
+	scene.row(2, btScalar(1.5), strong());
+	scene.step(2);
+	btElasticPlastic6DofSpring2Constraint& last = *scene.m_joints[1];
+	scene.m_world->removeAction(scene.m_action.get());
+	// Inner steps make it flow, and the next step begins before anybody has heard of that.
+	scene.m_bodies[2]->setLinearVelocity(btVector3(60, 0, 0));
+	scene.step(2);
+	ASSERT_TRUE(last.hasYielded());
+	last.setReferenceToCurrentPose();
+	scene.m_world->addAction(scene.m_action.get());
+	scene.m_world->removeConstraint(&last);
+	scene.m_world->removeRigidBody(scene.m_bodies[2].get());
+	scene.m_bodies.pop_back();
+	scene.step(2);
+	EXPECT_EQ(0u, diary.m_broken.size());
+	scene.m_joints.pop_back();
 }
 
 TEST(Lifetimes, WhatIsJoinedMayStandStillInOneIsland)

@@ -650,6 +650,7 @@ TEST(Snapshot, WhatNoJointCanBeIsRefused)
 		[&](JointImage& j) { j.m_lastFibreBounds.assign(1000, 0); },
 		[&](JointImage& j) { j.m_lastFibreBounds.assign(1, -2); },
 		[&](JointImage& j) { j.m_innerLevel = 200; },
+		[&](JointImage& j) { j.m_innerRinging = std::numeric_limits<float>::quiet_NaN(); },
 		[&](JointImage& j) { j.m_numUncommitted = std::numeric_limits<int>::max(); },
 		[&](JointImage& j) { j.m_nextRequest = 3; }};
 	for (size_t i = 0; i < changes.size(); ++i)

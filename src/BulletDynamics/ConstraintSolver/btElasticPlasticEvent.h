@@ -70,7 +70,7 @@ public:
 
 	/// A joint was refused; text names it, the value and the valid range. Called from btElasticPlasticAction::addJoint, from
 	/// btElasticPlasticJoint::setCapacity of a joint that the action knows, from btElasticPlasticJoint::setState, and, once a fault,
-	/// while the world is stepped: leave bodies and joints as they are here.
+	/// while the world is stepped, by threads of a solver, too: leave bodies, joints and the settings of solvers as they are here.
 	/// The default prints the text to the standard error output. So it is without a listener, and for joints that no action knows.
 	virtual void onRefused(btElasticPlasticJoint& joint, const char* text);
 

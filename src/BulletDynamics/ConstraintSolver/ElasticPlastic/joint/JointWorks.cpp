@@ -208,7 +208,7 @@ void JointWorks::requestJacobians() { request(JACOBIANS); }
 
 void JointWorks::resume(int numUncommitted, int nextRequest)
 {
-	m_step.forget();
+	leaveStep();
 	m_numUncommitted = numUncommitted;
 	request(Request(nextRequest));
 	leaveFactor();

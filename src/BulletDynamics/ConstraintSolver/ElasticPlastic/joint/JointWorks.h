@@ -113,7 +113,7 @@ public:
 	int commit();
 
 	/// Whether the joint has a part in the step that commit() is to end.
-	bool isInStep() const { return m_isCommittedInside || m_step.getNumRows() > 0; }
+	bool isInStep() const { return m_isCommittedInside || m_outcome != 0 || m_step.getNumRows() > 0; }
 
 	/// Forgets that step: the joint's bodies may be deleted.
 	void leaveStep();
