@@ -199,7 +199,7 @@ std::vector<Shape> shapes()
 		 Section::iSection(s(0.2), s(0.2), s(0.009), s(0.015)).withFibres()}};
 }
 
-/// How many times the forces, over what the section bears of each alone, it bears: they grow from 0.6 times by a hundredth in each step.
+/// How many times the forces, over what the section bears of each alone, it bears: they grow from 0.75 times by a hundredth in each step.
 double shareBorne(Loaded& loaded, const SectionForces6& scaled)
 {
 	const auto bears = [&](double share)
@@ -209,7 +209,7 @@ double shareBorne(Loaded& loaded, const SectionForces6& scaled)
 			now[k] = share * scaled[k] * double(loaded.m_joint->getCapacity().m_yield[k]);
 		return loaded.bears(now);
 	};
-	double share = 0.6;
+	double share = 0.75;
 	for (int i = 0; i < 10; ++i)
 		bears(share);
 	while (share < 2.5 && bears(share))
