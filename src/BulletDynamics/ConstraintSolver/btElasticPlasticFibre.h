@@ -38,6 +38,9 @@ struct btElasticPlasticFibre
 	/// Along y and z, its slip by a twist, which turns it about x. Only what fibres have of it by comparison counts [m].
 	btScalar m_twist[2] = {0, 0};
 
+	/// Whether its strength stays as it is until it cracks or ruptures: neither flow nor rate changes it.
+	bool isSteady() const { return m_numPoints == 0 && !m_softens && !(m_rateReference > 0); }
+
 	bool isSameAs(const btElasticPlasticFibre& other) const
 	{
 		return m_y == other.m_y && m_z == other.m_z && m_stiffness == other.m_stiffness &&

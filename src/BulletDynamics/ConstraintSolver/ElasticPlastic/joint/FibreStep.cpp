@@ -27,21 +27,34 @@ bool isFree(const btRigidBody& body)
 }
 }  // namespace
 
-/// Without a yield value: a fibre has two.
-DofState FibreStep::stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const
+namespace
 {
-	const btElasticPlasticFibre& own = m_model.m_capacity.m_fibres[fibre];
-	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[fibre];
-	const btScalar elongation =
-		strain[BT_EP_AXIAL] + own.m_z * strain[BT_EP_BENDING_Y] - own.m_y * strain[BT_EP_BENDING_Z] - state.m_offset;
-	DofState s = {own.m_stiffness, 0, elongation, state.m_force, state.m_forceRate, {}};
-	if (!m_damping.isNone())
+btScalar elongationOf(const btElasticPlasticFibre& fibre, const btElasticPlasticFibreState& state,
+					  const btScalar strain[BT_EP_DOF_COUNT])
+{
+	return strain[BT_EP_AXIAL] + fibre.m_z * strain[BT_EP_BENDING_Y] - fibre.m_y * strain[BT_EP_BENDING_Z] -
+		   state.m_offset;
+}
+}  // namespace
+
+/// Without a yield value: a fibre has two. \param damped  null: none
+DofState FibreStep::stateOf(const btElasticPlasticFibre& fibre, const btElasticPlasticFibreState& state,
+							const Damped* damped, btScalar stiffening, const btScalar strain[BT_EP_DOF_COUNT])
+{
+	DofState s = {fibre.m_stiffness, 0, elongationOf(fibre, state, strain), state.m_force, state.m_forceRate, {}};
+	if (damped)
 	{
-		s.m_stiffening = m_damping.getStiffening();
-		s.m_force += m_damped[fibre].m_force;
-		s.m_carried = m_damped[fibre].m_carried;
+		s.m_stiffening = stiffening;
+		s.m_force += damped->m_force;
+		s.m_carried = damped->m_carried;
 	}
 	return s;
+}
+
+DofState FibreStep::stateOf(int i, const btScalar strain[BT_EP_DOF_COUNT]) const
+{
+	return stateOf(m_model.m_capacity.m_fibres[i], m_model.m_state.m_fibres[i],
+				   m_damping.isNone() ? nullptr : &m_damped[i], m_damping.getStiffening(), strain);
 }
 
 DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const
@@ -59,24 +72,27 @@ void FibreStep::findBranches()
 {
 	if (m_damping.isNone())
 		return;
+	const int n = m_model.m_capacity.m_fibres.size();
+	if (n == 0)
+		return;
+	m_damped.resize(n);
+	const btElasticPlasticFibre* const fibres = &m_model.m_capacity.m_fibres[0];
+	const btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
+	Damped* const damped = &m_damped[0];
+	m_compliance = m_model.bearingCompliance([damped](int i, bool bears) { damped[i].m_bore = bears; });
 	SectionPlane sum, kept;
-	m_compliance = m_model.bearingCompliance();
 	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
 	{
 		m_branch[b] = m_compliance.of(m_model.branchForces(b));
 		sum.add(1, m_branch[b]);
 		kept.add(double(m_damping.getKept(b)), m_branch[b]);
 	}
-	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
-	m_damped.resize(capacity.m_fibres.size());
-	for (int i = 0; i < m_damped.size(); ++i)
+	const btScalar stiffening = m_damping.getStiffening();
+	for (int i = 0; i < n; ++i)
 	{
-		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
-		Damped& damped = m_damped[i];
-		damped.m_bore = m_model.bears(i);
-		damped.m_force = damped.m_bore ? btScalar(sum.at(fibre) * double(fibre.m_stiffness)) : btScalar(0);
-		damped.m_carried = -m_damping.getStiffening() * m_model.m_state.m_fibres[i].m_force +
-						   (damped.m_bore ? btScalar(kept.at(fibre) * double(fibre.m_stiffness)) : btScalar(0));
+		const double stiffness = damped[i].m_bore ? double(fibres[i].m_stiffness) : 0;
+		damped[i].m_force = btScalar(sum.at(fibres[i]) * stiffness);
+		damped[i].m_carried = btScalar(kept.at(fibres[i]) * stiffness) - stiffening * states[i].m_force;
 	}
 }
 
@@ -93,12 +109,16 @@ double FibreStep::couplingOf(int fibre, int shear) const
 /// Coupling needs a unit of bodies that are free in all directions.
 void FibreStep::findCoupledRows(const JointRows& rows)
 {
-	const bool areFree = isFree(m_model.bodyA()) && isFree(m_model.bodyB());
 	m_shearRow[0] = m_shearRow[1] = -1;
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	const bool isCoupled[2] = {capacity.couplingCompliance(BT_EP_SHEAR_Y) != 0,
+							   capacity.couplingCompliance(BT_EP_SHEAR_Z) != 0};
+	if ((!isCoupled[0] && !isCoupled[1]) || !isFree(m_model.bodyA()) || !isFree(m_model.bodyB()))
+		return;
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		const int shear = rows.m_row[r].m_dof - BT_EP_SHEAR_Y;
-		if ((shear == 0 || shear == 1) && areFree && m_model.m_capacity.couplingCompliance(BT_EP_SHEAR_Y + shear) != 0)
+		if ((shear == 0 || shear == 1) && isCoupled[shear])
 			m_shearRow[shear] = r;
 	}
 }
@@ -175,7 +195,7 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 	Strength strength;
 	static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(i);
 	strength.m_rate = strength.m_rateShare = 0;
-	if (fibre.m_numPoints == 0 && !fibre.m_softens && !(fibre.m_rateReference > 0))
+	if (fibre.isSteady())
 		return strength;
 	const btScalar* const rates = motion.m_rate;
 	const btScalar rate = rates[BT_EP_AXIAL] + fibre.m_z * rates[BT_EP_BENDING_Y] - fibre.m_y * rates[BT_EP_BENDING_Z];
@@ -205,7 +225,11 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	m_rows.resize(n);
 	m_solution.resize(n, {0, 0});
 	m_strength.resize(n);
-	findResponse(motion, diagonal);
+	bool areSteady = true;
+	for (int i = 0; i < n; ++i)
+		areSteady &= capacity.m_fibres[i].isSteady();
+	if (!areSteady)
+		findResponse(motion, diagonal);
 	findCoupledRows(rows);
 	findBranches();
 	btScalar a = capacity.m_stiffness[BT_EP_AXIAL] * diagonal;
@@ -214,23 +238,42 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 			btSetMax(a, capacity.m_stiffness[BT_EP_SHEAR_Y + shear] * rows.m_row[m_shearRow[shear]].m_diagonal);
 	a *= dt * dt;
 	const MeanForce scheme = MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
+	const bool isLessened = m_interaction.isAny(), damps = !m_damping.isNone();
+	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha, stiffening = m_damping.getStiffening(),
+				   perStiffness = perTime / (alpha * (1 + stiffening));
+	const btElasticPlasticFibre* const fibres = n > 0 ? &capacity.m_fibres[0] : nullptr;
+	const btElasticPlasticFibreState* const states = n > 0 ? &m_model.m_state.m_fibres[0] : nullptr;
+	const Damped* const allDamped = damps ? &m_damped[0] : nullptr;
+	const Solution* const before = n > 0 ? &m_solution[0] : nullptr;
+	Strength* const strengths = n > 0 ? &m_strength[0] : nullptr;
+	JointRows::Fibre* const to = n > 0 ? &m_rows[0] : nullptr;
 	for (int i = 0; i < n; ++i)
 	{
-		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
-		const DofState s = stateOf(i, strain);
-		const btScalar known = scheme.known(s, dt);
-		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
-		m_strength[i] = strengthInStep(i, s, motion);
-		m_strength[i].m_tension *= m_interaction.getLeft(i);
-		m_strength[i].m_compression *= m_interaction.getLeft(i);
-		JointRows::Fibre& row = m_rows[i];
-		row.m_soft = implicitRow(s, scheme, a, dt);
-		row.m_soft.m_lower = holds ? dt * (known - scheme.m_alpha * m_strength[i].m_compression) : btScalar(0);
-		row.m_soft.m_upper = holds ? dt * (known + scheme.m_alpha * m_strength[i].m_tension) : btScalar(0);
+		const btElasticPlasticFibre& fibre = fibres[i];
+		const btElasticPlasticFibreState& state = states[i];
+		const DofState s = stateOf(fibre, state, damps ? allDamped + i : nullptr, stiffening, strain);
+		const btScalar known = scheme.known(s, dt), inverse = perStiffness / s.m_stiffness;
+		Strength& strength = strengths[i];
+		if (areSteady && !state.m_isCracked)
+			strength.set(fibre.m_tension, fibre.m_compression);
+		else
+			strength = strengthInStep(i, s, motion);
+		if (isLessened)
+		{
+			strength.m_tension *= m_interaction.getLeft(i);
+			strength.m_compression *= m_interaction.getLeft(i);
+		}
+		// As implicitRow(), with two bounds.
+		JointRows::Fibre& row = to[i];
+		const bool holds = !state.isRuptured();
+		row.m_soft.m_compliance = inverse * perTime;
+		row.m_soft.m_velocity = s.m_strain * perTime + (known + alpha * s.m_carried) * inverse;
+		row.m_soft.m_lower = holds ? dt * (known - alpha * strength.m_compression) : btScalar(0);
+		row.m_soft.m_upper = holds ? dt * (known + alpha * strength.m_tension) : btScalar(0);
 		row.m_y = fibre.m_y;
 		row.m_z = fibre.m_z;
-		row.m_bound = m_solution[i].m_bound;
 		row.m_coupling[0] = row.m_coupling[1] = 0;
+		row.m_bound = before[i].m_bound;
 	}
 	if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
 		couple(strain, scheme, a, rows);
@@ -265,16 +308,19 @@ void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& 
 
 void FibreStep::setSolution(const double* impulses, const signed char* bounds, btScalar resultant[3])
 {
-	double sum[3] = {};
-	for (int i = 0; i < m_rows.size(); ++i)
+	SectionForces sum;
+	const int n = m_rows.size();
+	const btElasticPlasticFibre* const fibres = n > 0 ? &m_model.m_capacity.m_fibres[0] : nullptr;
+	Solution* const solution = n > 0 ? &m_solution[0] : nullptr;
+	for (int i = 0; i < n; ++i)
 	{
-		m_solution[i] = {btScalar(impulses[i]), bounds ? bounds[i] : static_cast<signed char>(0)};
-		sum[0] += impulses[i];
-		sum[1] += double(m_rows[i].m_z) * impulses[i];
-		sum[2] -= double(m_rows[i].m_y) * impulses[i];
+		solution[i].m_impulse = btScalar(impulses[i]);
+		solution[i].m_bound = bounds ? bounds[i] : static_cast<signed char>(0);
+		sum.add(fibres[i], impulses[i]);
 	}
-	for (int k = 0; k < 3; ++k)
-		resultant[k] = btScalar(sum[k]);
+	resultant[0] = btScalar(sum.m_axial);
+	resultant[1] = btScalar(sum.m_momentY);
+	resultant[2] = btScalar(sum.m_momentZ);
 }
 
 std::vector<signed char> FibreStep::getLastBounds() const
@@ -293,6 +339,53 @@ void FibreStep::setLastBounds(const std::vector<signed char>& bounds)
 }
 
 // ---- return mapping
+
+/// Ends a step in which all fibres bear before and after, and none comes to its strength, which is most of them: as mapAlone(), takeStates() and
+/// dampTogether() do, without what is for others.
+/// \return whether it was one; if not, nothing has changed
+bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome)
+{
+	const int n = m_rows.size();
+	if (n == 0)
+		return false;
+	const bool damps = !m_damping.isNone();
+	const double stiffer = 1 + double(m_damping.getStiffening());
+	const btElasticPlasticFibre* const fibres = &m_model.m_capacity.m_fibres[0];
+	btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
+	const Damped* const damped = damps ? &m_damped[0] : nullptr;
+	const Strength* const strengths = &m_strength[0];
+	Mapped* const mapped = &m_mapped[0];
+	for (int i = 0; i < n; ++i)
+	{
+		const double spring = double(elongationOf(fibres[i], states[i], trial)) * double(fibres[i].m_stiffness),
+					 total = damps ? stiffer * spring + double(damped[i].m_carried) : spring;
+		if (states[i].isRuptured() || !(total <= double(strengths[i].m_tension)) ||
+			!(total >= -double(strengths[i].m_compression)) || (damps && !damped[i].m_bore) ||
+			(!(spring < 0) && m_model.bearsPressureOnly(i)))
+			return false;
+		mapped[i].m_force = spring;
+	}
+	SectionForces sum, change;
+	const btScalar perTime = 1 / m_dt;
+	for (int i = 0; i < n; ++i)
+	{
+		btElasticPlasticFibreState& state = states[i];
+		const double force = mapped[i].m_force;
+		const btScalar grown = btScalar(force) - state.m_force;
+		state.m_rate = strengths[i].m_rate;
+		state.m_rateShare = strengths[i].m_rateShare;
+		state.m_forceRate = grown * perTime;
+		state.m_force = btScalar(force);
+		sum.add(fibres[i], force);
+		change.add(fibres[i], double(grown));
+	}
+	outcome.m_force[0] = btScalar(sum.m_axial);
+	outcome.m_force[1] = btScalar(sum.m_momentY);
+	outcome.m_force[2] = btScalar(sum.m_momentZ);
+	if (damps)
+		dampTogether(change, outcome);
+	return true;
+}
 
 void FibreStep::mapAlone(const btScalar trial[BT_EP_DOF_COUNT])
 {
@@ -506,18 +599,18 @@ void FibreStep::damp(Outcome& outcome)
 		const bool bears = m_model.bears(i), stays = mapped.m_increment == 0 && mapped.m_unloaded == 0;
 		isElastic = bears == m_damped[i].m_bore && (stays || !bears);
 	}
-	if (isElastic)
-		dampTogether(outcome);
-	else
-		dampEach(outcome);
-}
-
-/// Where forces have changed as in an elastic section, and so have those of the branches.
-void FibreStep::dampTogether(Outcome& outcome)
-{
+	if (!isElastic)
+		return dampEach(outcome);
 	SectionForces change;
 	for (int i = 0; i < m_rows.size(); ++i)
 		change.add(m_model.m_capacity.m_fibres[i], double(m_mapped[i].m_change));
+	dampTogether(change, outcome);
+}
+
+/// Where forces have changed as in an elastic section, and so have those of the branches.
+/// \param change  of the springs' forces
+void FibreStep::dampTogether(const SectionForces& change, Outcome& outcome)
+{
 	SectionPlane grown;
 	const SectionPlane changed = m_compliance.of(change);
 	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
@@ -535,12 +628,12 @@ void FibreStep::dampTogether(Outcome& outcome)
 		grown.add(1, plane);
 		grown.add(-1, m_branch[b]);
 	}
-	for (int i = 0; i < m_rows.size(); ++i)
-	{
-		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	const btScalar perTime = 1 / m_dt;
+	const btElasticPlasticFibre* const fibres = &m_model.m_capacity.m_fibres[0];
+	btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
+	for (int i = 0, n = m_rows.size(); i < n; ++i)
 		if (m_damped[i].m_bore)
-			m_model.m_state.m_fibres[i].m_forceRate += btScalar(grown.at(fibre) * double(fibre.m_stiffness)) / m_dt;
-	}
+			states[i].m_forceRate += btScalar(grown.at(fibres[i]) * double(fibres[i].m_stiffness)) * perTime;
 }
 
 void FibreStep::dampEach(Outcome& outcome)
@@ -617,17 +710,9 @@ void FibreStep::takeMean(btScalar mean[3])
 	mean[2] = btScalar(plane.m_turnZ);
 }
 
-FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2],
-									 bool isCut)
+/// From what has been mapped to the next state.
+void FibreStep::finish(const btScalar trial[BT_EP_DOF_COUNT], bool isCut, Outcome& outcome)
 {
-	Outcome outcome;
-	m_mapped.resize(m_rows.size());
-	if (isCut)
-		mapCut(trial, shears, outcome);
-	else if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
-		mapCoupled(trial, shears, outcome);
-	else
-		mapAlone(trial);
 	const int numBefore = m_losses.size();
 	takeStates(trial, outcome);
 	tearApart(outcome);
@@ -638,6 +723,24 @@ FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], cons
 						 [](const Loss& a, const Loss& b) { return a.m_share < b.m_share; });
 	if (outcome.m_hasMoved || isCut)
 		takeMean(outcome.m_increment);
+}
+
+FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2],
+									 bool isCut)
+{
+	Outcome outcome;
+	m_mapped.resize(m_rows.size());
+	const bool isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
+	if (isCut || isCoupled || !takeElastic(trial, outcome))
+	{
+		if (isCut)
+			mapCut(trial, shears, outcome);
+		else if (isCoupled)
+			mapCoupled(trial, shears, outcome);
+		else
+			mapAlone(trial);
+		finish(trial, isCut, outcome);
+	}
 	const int dofs[3] = {BT_EP_AXIAL, BT_EP_BENDING_Y, BT_EP_BENDING_Z};
 	for (int k = 0; k < 3; ++k)
 		m_model.m_state.m_fibreStrain[k] = trial[dofs[k]] - outcome.m_increment[k];

@@ -124,18 +124,29 @@ private:
 		btScalar m_change;  ///< of the spring's force in the step, once its state is taken
 	};
 
+	static DofState stateOf(const btElasticPlasticFibre& fibre, const btElasticPlasticFibreState& state,
+							const Damped* damped, btScalar stiffening, const btScalar strain[BT_EP_DOF_COUNT]);
 	DofState stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	DofState stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	double couplingOf(int fibre, int shear) const;
 	void findCoupledRows(const JointRows& rows);
 	void findBranches();
 	void couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a, JointRows& rows);
+	bool takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
 	void mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
 	void mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome);
 	struct Strength : JointModel::FibreStrength
 	{
 		btScalar m_rate, m_rateShare;  ///< see btElasticPlasticFibreState
+
+		/// Of a fibre that knows no rate.
+		void set(btScalar tension, btScalar compression)
+		{
+			m_tension = tension;
+			m_compression = compression;
+			m_rate = m_rateShare = 0;
+		}
 	};
 
 	void findResponse(const Motion& motion, btScalar diagonal);
@@ -148,9 +159,10 @@ private:
 	}
 	void flow(int fibre, double force, double increment, Outcome& outcome);
 	void damp(Outcome& outcome);
-	void dampTogether(Outcome& outcome);
+	void dampTogether(const SectionForces& change, Outcome& outcome);
 	void dampEach(Outcome& outcome);
 	void takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
+	void finish(const btScalar trial[BT_EP_DOF_COUNT], bool isCut, Outcome& outcome);
 	void tearApart(Outcome& outcome);
 	void noteLoss(int fibre, double share);
 	void takeMean(btScalar mean[3]);

@@ -274,11 +274,20 @@ btElasticPlasticFault JointModel::findFibreFault(const btElasticPlasticState& st
 	return btElasticPlasticFault();
 }
 
+void JointModel::setCapacity(const btElasticPlasticCapacity& capacity)
+{
+	m_capacity = capacity;
+	SectionStiffness section;
+	for (int i = 0; i < m_capacity.m_fibres.size(); ++i)
+		section.add(m_capacity.m_fibres[i], double(m_capacity.m_fibres[i].m_stiffness));
+	m_wholeCompliance = section.invert();
+}
+
 void JointModel::takeCapacity(const btElasticPlasticCapacity& capacity)
 {
 	const btElasticPlasticCapacity former = m_capacity;
 	const unsigned before = m_dofs;
-	m_capacity = capacity;
+	setCapacity(capacity);
 	m_dofs = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		if (m_capacity.isElasticPlastic(i))
@@ -417,7 +426,7 @@ JointModel::FibreStrength JointModel::strengthOf(int fibre, btScalar morePath) c
 	return strength;
 }
 
-SectionCompliance JointModel::bearingCompliance() const
+SectionCompliance JointModel::partCompliance() const
 {
 	SectionStiffness section;
 	for (int i = 0; i < m_state.m_fibres.size(); ++i)

@@ -68,6 +68,9 @@ struct JointModel
 	/// \return a fault if a state cannot be one of this joint
 	btElasticPlasticFault findStateFault(const btElasticPlasticState& state) const;
 
+	/// Sets the capacity alone; the state that belongs to it comes from elsewhere.
+	void setCapacity(const btElasticPlasticCapacity& capacity);
+
 	/// Makes those degrees of freedom elastic-plastic that have a yield value in a capacity without a fault. Those of them that were free
 	/// until now take the present pose for their reference.
 	void takeCapacity(const btElasticPlasticCapacity& capacity);
@@ -165,8 +168,24 @@ struct JointModel
 		return !state.isRuptured() && !(state.m_force >= 0 && bearsPressureOnly(fibre));
 	}
 
-	/// Of the fibres that bear.
-	SectionCompliance bearingCompliance() const;
+	/// Of the fibres that bear. \param tell  function of a fibre and of whether it does
+	template <class Tell>
+	SectionCompliance bearingCompliance(const Tell& tell) const
+	{
+		const int n = m_state.m_fibres.size();
+		bool doAll = true;
+		for (int i = 0; i < n; ++i)
+		{
+			const bool does = bears(i);
+			doAll &= does;
+			tell(i, does);
+		}
+		return doAll ? m_wholeCompliance : partCompliance();
+	}
+	SectionCompliance bearingCompliance() const
+	{
+		return bearingCompliance([](int, bool) {});
+	}
 
 	/// What one of the damping's branches adds to the section.
 	SectionForces branchForces(int branch) const
@@ -185,6 +204,9 @@ struct JointModel
 	void wearFibres(btScalar damage);
 
 private:
+	SectionCompliance m_wholeCompliance;  ///< while all fibres bear
+	SectionCompliance partCompliance() const;
+
 	RelativeRotation relativeRotation() const;
 	bool measureReference(Kinematics& kinematics) const;
 	bool pointsTowardsB() const;

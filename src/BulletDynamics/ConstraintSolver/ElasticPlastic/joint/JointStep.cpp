@@ -397,9 +397,11 @@ btScalar JointStep::shareUntilBreak(const ReturnMapping mapped[]) const
 	btScalar damage = 0;
 	for (int r = 0, numPlain = getNumPlainRows(); r < numPlain; ++r)
 		damage += btFabs(mapped[r].m_increment) / m_model.m_capacity.m_ductility[m_row[r].m_dof];
+	if (damage == 0)
+		return 1;
 	// Rounded up, so that the sum is not a little less than 1.
 	const btScalar left = 1 + 8 * SIMD_EPSILON - m_model.damage();
-	return damage > 0 && damage >= left ? btMax(left, btScalar(0)) / damage : btScalar(1);
+	return damage >= left ? btMax(left, btScalar(0)) / damage : btScalar(1);
 }
 
 /// Twice the work of the step's impulses on the bodies: that of each is exactly impulse times mean velocity. It is finite only if all

@@ -273,27 +273,29 @@ void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_D
 	const btElasticPlasticCapacity& capacity = model.m_capacity;
 	static const int dofs[6] = {BT_EP_AXIAL,   BT_EP_BENDING_Y, BT_EP_BENDING_Z,
 								BT_EP_SHEAR_Y, BT_EP_SHEAR_Z,   BT_EP_TORSION};
-	double force[6], way[6], load = 0, shear = 0, work = 0, grown = 0;
-	for (int k = 0; k < 6; ++k)
+	double force[6], way[6], load = 0, work = 0, grown = 0;
+	// Shears and torsion first: most joints have next to none.
+	for (int k = 5; k >= 0; --k)
 	{
 		const int dof = dofs[k];
 		const double yield = capacity.isElasticPlastic(dof) ? double(capacity.m_yield[dof]) : 0;
 		force[k] = yield > 0 ? double(model.m_state.m_force[dof]) : 0;
 		for (int b = 0; b < btElasticPlasticState::BRANCHES && yield > 0; ++b)
 			force[k] += double(model.m_state.m_branch[b][dof]);
-		way[k] = yield > 0 ? double(rate[dof]) : 0;
-		work += force[k] * way[k];
-		const double share = yield > 0 ? fabs(force[k]) / yield : 0,
-					 elastic = yield > 0 ? double(capacity.m_stiffness[dof]) * double(dt) * way[k] / yield : 0;
-		load += share;
-		shear += k < 3 ? 0 : share;
-		grown += elastic * elastic;
+		load += yield > 0 ? fabs(force[k]) / yield : 0;
 		m_alone[k] = yield;
+		if (k == 3 && !(load > LEAST_SHEAR))
+			return;
 	}
-	if (!(load > LEAST_LOAD) || !(shear > LEAST_SHEAR) || !collect(model))
+	if (!(load > LEAST_LOAD) || !collect(model))
 		return;
 	for (int k = 0; k < 6; ++k)
 	{
+		const double yield = capacity.isElasticPlastic(dofs[k]) ? double(capacity.m_yield[dofs[k]]) : 0;
+		way[k] = yield > 0 ? double(rate[dofs[k]]) : 0;
+		work += force[k] * way[k];
+		const double elastic = yield > 0 ? double(capacity.m_stiffness[dofs[k]]) * double(dt) * way[k] / yield : 0;
+		grown += elastic * elastic;
 		force[k] = m_alone[k] > 0 ? (force[k] - (k < 3 ? m_middle[k] : 0)) / m_alone[k] : 0;
 		way[k] *= m_alone[k];
 	}

@@ -41,6 +41,9 @@ public:
 	/// \param rate  of strain, with which the step begins
 	void find(const JointModel& model, const btScalar rate[BT_EP_DOF_COUNT], btScalar dt);
 
+	/// Whether anything is taken of the fibres' strength.
+	bool isAny() const { return m_left.size() > 0; }
+
 	/// What is left of a fibre's strength.
 	btScalar getLeft(int fibre) const { return m_left.size() > 0 ? m_left[fibre] : btScalar(1); }
 

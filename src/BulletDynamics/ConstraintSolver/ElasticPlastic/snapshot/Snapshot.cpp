@@ -550,7 +550,7 @@ void Snapshot::writeRegistry(const WorldImage& image)
 	{
 		JointWorks& joint = *m_joints[size_t(from.m_number)];
 		joint.m_model.m_state = from.m_state;
-		joint.m_model.m_capacity = from.m_capacity;
+		joint.m_model.setCapacity(from.m_capacity);
 		for (int q = 0; q < BT_EP_QUANTITY_COUNT; ++q)
 			joint.m_levels.set(btElasticPlasticQuantity(q), from.m_levels[q]);
 		joint.m_model.m_dofs = from.m_dofs;

@@ -28,47 +28,52 @@ inline void addOuterProducts(const double weights[3], const double axes[3][3], d
 	}
 }
 
-/// Adds the tangent of a unit's fibres, sum of g g^T t with g = (1, z, -y) along the first axis and about the other two. Where they are
-/// coupled with the shears, with the inverse P that CoupledBundle::Matrix gives, that is Q P Q^T more, with a column of Q by shear: its
-/// own direction less sum t b g.
+/// The tangent of a unit's fibres, sum of g g^T t with g = (1, z, -y) along the first axis and about the other two.
+struct FibreTangent
+{
+	double m_axial = 0;
+	double m_mixed[2] = {0, 0};     ///< axial with either turn
+	double m_turns[3] = {0, 0, 0};  ///< yy, yz, zz
+
+	void add(double t, double y, double z)
+	{
+		const double byZ = t * z, byY = t * -y;
+		m_axial += t;
+		m_mixed[0] += byZ;
+		m_mixed[1] += byY;
+		m_turns[0] += byZ * z;
+		m_turns[1] += byZ * -y;
+		m_turns[2] += byY * -y;
+	}
+};
+
+/// Where fibres are coupled with the shears, with the inverse P that CoupledBundle::Matrix gives, their tangent is Q P Q^T more, with a column
+/// of Q by shear: its own direction less sum t b g.
 template <class Tangents>
-void addFibreTangent(const Tangents& tangents, const SystemInput& input, const SystemInput::Unit& unit,
-					 double linear[9], double angular[9], double mixed[9])
+void addBundleTangent(const Tangents& tangents, const SystemInput& input, const SystemInput::Unit& unit,
+					  double linear[9], double angular[9], double mixed[9])
 {
 	// Along the three axes, and about the second and third one.
-	double sum[5][5] = {}, q[2][5] = {};
+	double q[2][5] = {};
 	for (int i = 0; i < unit.m_numFibres; ++i)
 	{
 		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
-		const double t = tangents.getTangent(input, unit.getFirstFibreRow() + i), g[2] = {fibre.m_z, -fibre.m_y};
-		sum[0][0] += t;
+		const double t = tangents.getTangent(input, unit.getFirstFibreRow() + i);
 		for (int k = 0; k < 2; ++k)
 		{
-			sum[0][3 + k] += t * g[k];
-			for (int l = k; l < 2; ++l)
-				sum[3 + k][3 + l] += t * g[k] * g[l];
-			if (unit.m_bundle < 0)
-				continue;
-			q[k][0] -= t * fibre.m_coupling[k];
-			for (int l = 0; l < 2; ++l)
-				q[k][3 + l] -= t * fibre.m_coupling[k] * g[l];
+			const double along = t * fibre.m_coupling[k];
+			q[k][0] -= along;
+			q[k][3] -= along * fibre.m_z;
+			q[k][4] += along * fibre.m_y;
 		}
 	}
-	if (unit.m_bundle >= 0)
-	{
-		const CoupledBundle::Matrix inverse = tangents.getBundleInverse(input, unit.m_bundle);
-		q[0][1] = q[1][2] = 1;
-		for (int k = 0; k < 5; ++k)
-		{
-			const double column[2] = {q[0][k], q[1][k]};
-			for (int l = k; l < 5; ++l)
-				sum[k][l] += q[0][l] * inverse.multiply(0, column) + q[1][l] * inverse.multiply(1, column);
-		}
-	}
+	q[0][1] = q[1][2] = 1;
+	const CoupledBundle::Matrix inverse = tangents.getBundleInverse(input, unit.m_bundle);
 	for (int k = 0; k < 5; ++k)
 		for (int l = k; l < 5; ++l)
 		{
-			const double weight = sum[k][l];
+			const double column[2] = {q[0][k], q[1][k]},
+						 weight = q[0][l] * inverse.multiply(0, column) + q[1][l] * inverse.multiply(1, column);
 			if (weight == 0)
 				continue;
 			const double *const a = unit.m_axis[k < 3 ? k : k - 2], *const b = unit.m_axis[l < 3 ? l : l - 2];
@@ -88,7 +93,7 @@ template <class Tangents>
 bool addUnitTangent(const Tangents& tangents, const SystemInput& input, const SystemInput::Unit& unit, double linear[9],
 					double angular[9], double mixed[9])
 {
-	bool isMixed = unit.m_numFibres > 0;
+	bool isMixed = unit.m_bundle >= 0;
 	double weights[6] = {};
 	for (int r = 0; r < unit.getNumPlainRows(); ++r)
 	{
@@ -102,10 +107,30 @@ bool addUnitTangent(const Tangents& tangents, const SystemInput& input, const Sy
 		addOuterProduct(beside, unit.m_axis[unit.m_dof[r]], unit.m_axis[unit.m_dof[partner] % 3], mixed);
 		isMixed = true;
 	}
+	FibreTangent fibres;
+	for (int i = 0; i < unit.m_numFibres; ++i)
+	{
+		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
+		fibres.add(tangents.getTangent(input, unit.getFirstFibreRow() + i), fibre.m_y, fibre.m_z);
+	}
+	weights[0] += fibres.m_axial;
+	weights[4] += fibres.m_turns[0];
+	weights[5] += fibres.m_turns[2];
 	addOuterProducts(weights, unit.m_axis, linear);
 	addOuterProducts(weights + 3, unit.m_axis, angular);
-	if (unit.m_numFibres > 0)
-		addFibreTangent(tangents, input, unit, linear, angular, mixed);
+	if (fibres.m_turns[1] != 0)
+	{
+		addOuterProduct(fibres.m_turns[1], unit.m_axis[1], unit.m_axis[2], angular);
+		addOuterProduct(fibres.m_turns[1], unit.m_axis[2], unit.m_axis[1], angular);
+	}
+	for (int k = 0; k < 2; ++k)
+		if (fibres.m_mixed[k] != 0)
+		{
+			addOuterProduct(fibres.m_mixed[k], unit.m_axis[0], unit.m_axis[1 + k], mixed);
+			isMixed = true;
+		}
+	if (unit.m_bundle >= 0)
+		addBundleTangent(tangents, input, unit, linear, angular, mixed);
 	return isMixed;
 }
 }  // namespace btElasticPlastic
