@@ -146,7 +146,6 @@ TEST(Hardening, FollowsTheClosedFormInCycles)
 			bar.step(i / 96 % 2 == 0 ? 0.1 : -0.1);
 			const double force = exact.stretch(bar.elongation());
 			most = std::max(most, std::fabs(force));
-			// The strength is that of the middle of a step's flow of 0.2 mm: half a step's hardening.
 			EXPECT_NEAR(force, bar.force(), 0.01 * AREA * YIELD) << "step " << i << ", share " << c.share;
 		}
 		EXPECT_GT(most, 1.1 * AREA * YIELD);
@@ -170,6 +169,27 @@ TEST(Hardening, FollowsItsCurveInOneDirection)
 		{
 			bar.step(0.1);
 			EXPECT_NEAR(exact.stretch(bar.elongation()), bar.force(), 0.01 * AREA * YIELD) << i << ", share " << share;
+		}
+	}
+}
+
+TEST(Hardening, FollowsACurveThatIsSteeperThanTheSpring)
+{
+	// Ramberg and Osgood's, of which the first parts rise by up to 20 times Young's modulus.
+	std::vector<Point> points;
+	for (int i = 1; i <= 10; ++i)
+	{
+		const double share = 1 + 0.1 * i;
+		points.push_back({0.002 * (std::pow(share / 2, 8) - std::pow(0.5, 8)), YIELD * share});
+	}
+	for (const double share : {0., 0.5, 1.})
+	{
+		PulledBar bar(hardeningSteel(points, share));
+		Bar exact(points, 0);
+		for (int i = 0; i < 800; ++i)
+		{
+			bar.step(0.01);
+			EXPECT_NEAR(exact.stretch(bar.elongation()), bar.force(), 0.005 * AREA * YIELD) << i << ", share " << share;
 		}
 	}
 }

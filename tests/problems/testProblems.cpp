@@ -59,7 +59,7 @@ const Bound BOUNDS[] = {
 	{"section-concrete", 0.04, 0.04},
 	{"section-shear", 0.04, 0.04},
 	{"hardening-cycle", 0.002, 0.002},
-	{"crack-opening", 0.04, 0.01},
+	{"crack-opening", 0.003, 0.0003},
 	{"beam-held-pushed", 0.03, 0.025},
 	{"beam-held-struck", 0.1, 0.02},
 	{"body-flies-and-turns", 0.4, 0.4},

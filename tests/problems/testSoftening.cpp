@@ -96,7 +96,7 @@ TEST(Softening, TakesUpTheFractureEnergyWhateverTheStep)
 		const double speed = 0.05, dt = WIDTH / speed / steps;
 		for (int i = 0; i < 3 * steps && !bar.isApart(); ++i)
 			bar.step(speed, dt);
-		EXPECT_NEAR(WORK, bar.plasticEnergy(), (steps < 16 ? 0.1 : 0.02) * WORK) << steps << " steps";
+		EXPECT_NEAR(WORK, bar.plasticEnergy(), (steps < 16 ? 0.01 : 0.001) * WORK) << steps << " steps";
 		// All is open, and wider than the crack's last width.
 		EXPECT_TRUE(bar.isApart());
 	}
@@ -138,7 +138,9 @@ TEST(Softening, UnloadsByTheSpringAndBearsPressureWhenItHasClosed)
 		bar.step(0.01, dt);
 	const double half = force(), from = elongation();
 	EXPECT_NEAR(0.5 * TENSION * SIDE * SIDE, half, 0.01 * TENSION * SIDE * SIDE);
-	const double taken = bar.plasticEnergy();
+	// Of what it tells, a part waits for what bodies have given.
+	const auto dissipated = [&] { return bar.m_joints[0]->getState().m_plasticEnergy; };
+	const double taken = dissipated();
 	// In float places of 1 m are rounded by 1e-7 m.
 	const double rounding = byPrecision(0.002 * half, 2e-7 * stiffness);
 	for (int i = 0; i < 20; ++i)
@@ -147,7 +149,7 @@ TEST(Softening, UnloadsByTheSpringAndBearsPressureWhenItHasClosed)
 	for (int i = 0; i < 18; ++i)
 		bar.step(0.01, dt);
 	EXPECT_NEAR(half - stiffness * (from - elongation()), force(), rounding);
-	EXPECT_EQ(taken, bar.plasticEnergy());
+	EXPECT_EQ(taken, dissipated());
 	while (!bar.m_joints[0]->getState().m_fibres[0].m_isCracked && !bar.isApart())
 		bar.step(0.01, dt);
 	EXPECT_FALSE(bar.isApart());

@@ -187,8 +187,47 @@ double FibreStep::rateShareInStep(int i, double force, double rate, const JointM
 	return btMax(share, 0.);
 }
 
-/// The strength that a fibre has in the middle of what it may flow in the step by its rate: then force times flow is its work but for the
-/// square of the step.
+/// How much a fibre flows whose force at the end of the step would be beyond its strength if that and the fibre stayed as they are: until what
+/// the spring loses by the flow, and the strength gains or loses along its path, have made up for it.
+/// \param stiffness  of the spring, with what the damping's branches add to it
+double FibreStep::flowInStep(int i, bool isPulled, double beyond, double stiffness, double stronger) const
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+	double flow = 0;
+	// Along a straight part of the strength. What falls faster than the spring lets go at once.
+	const auto endsWithin = [&](double way, double rise)
+	{
+		const double needed = btMax(stiffness * way + rise, stiffness * way / 2);
+		const bool ends = beyond <= needed;
+		flow += ends ? way * beyond / needed : way;
+		beyond -= needed;
+		return ends;
+	};
+	if (fibre.m_softens && isPulled && !state.m_isCracked)
+	{
+		const double left = btMax(1 - double(state.m_damage), 0.);
+		if (left > 0 &&
+			endsWithin(left * double(fibre.m_stretchLimit), -left * stronger * double(fibre.m_tension)))
+			return flow;
+	}
+	const double strength = stronger * double(isPulled ? fibre.m_tension : fibre.m_compression);
+	double from = state.m_path, factor = m_model.m_capacity.strengthFactor(fibre, state.m_path);
+	for (int p = fibre.m_firstPoint; p < fibre.m_firstPoint + fibre.m_numPoints; ++p)
+	{
+		const btElasticPlasticCurvePoint& next = m_model.m_capacity.m_curvePoints[p];
+		if (!(double(next.m_path) > from))
+			continue;
+		if (endsWithin(double(next.m_path) - from, strength * (double(next.m_factor) - factor)))
+			return flow;
+		from = next.m_path;
+		factor = next.m_factor;
+	}
+	return flow + beyond / stiffness;
+}
+
+/// The strength that a fibre has at the end of the step, after what it may flow in it by its rate: as the force of any spring, a step's is that of
+/// its end, and the work of bodies, which they give by the mean of both ends' forces, is right but for the square of the step.
 FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Motion& motion) const
 {
 	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
@@ -205,12 +244,12 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 		strength.m_rateShare = btScalar(rateShareInStep(i, double(s.m_force), double(rate), strength));
 	}
 	const btScalar stronger = 1 + strength.m_rateShare, force = s.forceAt(s.m_strain + m_dt * rate),
-				   beyond = btMax(force - stronger * strength.m_tension, -force - stronger * strength.m_compression);
-	// A strength that falls lets more flow.
-	const btScalar fall = fibre.m_softens ? fibre.m_tension / fibre.m_stretchLimit / 2 : btScalar(0),
-				   stiffness = btMax(fibre.m_stiffness - fall, fibre.m_stiffness / 2);
+				   beyondTension = force - stronger * strength.m_tension,
+				   beyond = btMax(beyondTension, -force - stronger * strength.m_compression);
 	if ((fibre.m_numPoints > 0 || fibre.m_softens) && beyond > 0)
-		static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(i, beyond / stiffness / 2);
+		static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(
+			i, btScalar(flowInStep(i, beyond == beyondTension, double(beyond),
+								   double(fibre.m_stiffness) * (1 + double(s.m_stiffening)), double(stronger))));
 	strength.m_tension *= stronger;
 	strength.m_compression *= stronger;
 	return strength;
@@ -496,7 +535,7 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 			beyond -= couplingOf(i, s) * shear[s];
 			turned[s] += couplingOf(i, s) * force;
 		}
-		const bool opens = m_strength[i].m_tension == 0 && beyond > 0;
+		const bool opens = m_model.bearsPressureOnly(i) && beyond > 0;
 		m_mapped[i] = {force, double(total), opens ? beyond : 0, opens ? 0 : beyond, 0};
 	}
 	outcome.m_isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
@@ -533,6 +572,20 @@ void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
 		state.m_damage = 0;
 	}
 	noteLoss(i, left / spent);
+}
+
+/// The mean of a fibre's force while it flows: of its strength before and after that.
+double FibreStep::flowForce(int i) const
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	const Mapped& mapped = m_mapped[i];
+	if (fibre.m_numPoints == 0 && !fibre.m_softens)
+		return mapped.m_total;
+	const JointModel::FibreStrength before = m_model.strengthOf(i),
+									after = m_model.strengthOf(i, btScalar(fabs(mapped.m_increment)));
+	const double sum = mapped.m_increment > 0 ? double(before.m_tension) + double(after.m_tension)
+											  : double(before.m_compression) + double(after.m_compression);
+	return sum / 2 * (1 + double(m_strength[i].m_rateShare)) * double(m_interaction.getLeft(i));
 }
 
 /// Notes that a fibre has cracked or ruptured, if it was the last of its piece's layers.
@@ -573,7 +626,7 @@ void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outco
 		// A crack opens without a force, and closes where it has opened.
 		const bool opens = isOpen(i);
 		if (mapped.m_increment != 0 && !opens)
-			flow(i, mapped.m_total, mapped.m_increment, outcome);
+			flow(i, flowForce(i), mapped.m_increment, outcome);
 		outcome.m_hasMoved |= mapped.m_increment != 0;
 		state.m_offset += btScalar(opens ? 0 : mapped.m_unloaded);
 		const bool holds = !state.isRuptured() && !(m_model.bearsPressureOnly(i) && mapped.m_force > 0);

@@ -418,11 +418,7 @@ JointModel::FibreStrength JointModel::strengthOf(int fibre, btScalar morePath) c
 	if (state.m_isCracked)
 		strength.m_tension = 0;
 	else if (own.m_softens)
-	{
-		// What flows beyond the crack's last width is no flow: the middle of all that is left is the least.
-		const btScalar left = btMax(1 - state.m_damage, btScalar(0));
-		strength.m_tension *= btMax(left - morePath / own.m_stretchLimit, left / (morePath > 0 ? 2 : 1));
-	}
+		strength.m_tension *= btMax(1 - state.m_damage - morePath / own.m_stretchLimit, btScalar(0));
 	return strength;
 }
 
