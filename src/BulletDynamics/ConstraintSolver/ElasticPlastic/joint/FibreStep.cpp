@@ -207,8 +207,7 @@ double FibreStep::flowInStep(int i, bool isPulled, double beyond, double stiffne
 	if (fibre.m_softens && isPulled && !state.m_isCracked)
 	{
 		const double left = btMax(1 - double(state.m_damage), 0.);
-		if (left > 0 &&
-			endsWithin(left * double(fibre.m_stretchLimit), -left * stronger * double(fibre.m_tension)))
+		if (left > 0 && endsWithin(left * double(fibre.m_stretchLimit), -left * stronger * double(fibre.m_tension)))
 			return flow;
 	}
 	const double strength = stronger * double(isPulled ? fibre.m_tension : fibre.m_compression);

@@ -153,10 +153,7 @@ private:
 	double rateShareInStep(int fibre, double force, double rate, const JointModel::FibreStrength& strength) const;
 	double flowInStep(int fibre, bool isPulled, double beyond, double stiffness, double stronger) const;
 	Strength strengthInStep(int fibre, const DofState& s, const Motion& motion) const;
-	bool isOpen(int fibre) const
-	{
-		return m_mapped[fibre].m_increment > 0 && m_model.bearsPressureOnly(fibre);
-	}
+	bool isOpen(int fibre) const { return m_mapped[fibre].m_increment > 0 && m_model.bearsPressureOnly(fibre); }
 	double flowForce(int fibre) const;
 	void flow(int fibre, double force, double increment, Outcome& outcome);
 	void damp(Outcome& outcome);
