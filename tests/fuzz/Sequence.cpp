@@ -466,7 +466,7 @@ void Sequence::changeSettings()
 	{
 		case 0:
 			settings.m_innerError = double(m_chance.power(1e-4, 1e-1));
-			settings.m_maxInnerSteps = 1 << m_chance.below(6);
+			settings.m_maxInnerSteps = 1 << m_chance.below(8);
 			break;
 		case 1:
 			settings.m_innerError = 0;

@@ -28,8 +28,9 @@ using namespace ep;
 
 /// By default, and what comes of it.
 const double ERROR_ALLOWED = btElasticPlasticSolverSettings().m_innerError, ERROR_FOUND = 0.05;
+const int MOST_STEPS = btElasticPlasticSolverSettings().m_maxInnerSteps;
 
-void takeInnerSteps(World& world, double error = ERROR_ALLOWED, int most = 64)
+void takeInnerSteps(World& world, double error = ERROR_ALLOWED, int most = MOST_STEPS)
 {
 	btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
 	settings.m_innerError = error;
@@ -169,9 +170,8 @@ TEST(InnerSteps, AreNotThereForWhatNeedsNone)
 
 TEST(InnerSteps, KeepToTheErrorInProblemsAtTheGamesStep)
 {
-	// All quantities of all problems at 1/60 s. Left are: waves under a light mass that 64 inner steps do not resolve; and what a body goes along the
-	// axis as it turns, for which it would take more fibres.
-	const std::map<std::string, double> hard = {{"parkes-light", 0.15}, {"body-flies-and-turns", 0.4}};
+	// All quantities of all problems at 1/60 s. Left is what a body goes along the axis as it turns, for which it would take more fibres.
+	const std::map<std::string, double> hard = {{"body-flies-and-turns", 0.4}};
 	for (const Problem& problem : problems())
 	{
 		const Outcome outcome = problem.solve(Solver::Direct, innerStepsOf(1. / 60));
@@ -186,7 +186,7 @@ TEST(InnerSteps, KeepToTheErrorInProblemsAtTheGamesStep)
 
 TEST(InnerSteps, ByModeResolveTheWavesOfABlow)
 {
-	// What is left with 0.04, 64 inner steps and the scheme by row is within the error by mode. A block that flows to and fro has an offset that is the small
+	// With the scheme by mode in all steps. A block that flows to and fro has an offset that is the small
 	// difference of two flows: in float, 7 % of it are 0.1 % of the flow.
 	Stepping stepping = innerStepsOf(1. / 60);
 	stepping.watch = [](World& world, double time)
@@ -228,8 +228,8 @@ TEST(InnerSteps, BendParkesCantileverWithAnyMass)
 	// Mass of the tip over that of the cantilever, and a velocity that bends it by a third to two thirds of its length.
 	const struct
 	{
-		double ratio, velocity, byRow;
-	} cases[] = {{0.1, 50, 0.13}, {0.5, 25, ERROR_FOUND}, {2, 25, ERROR_FOUND}};
+		double ratio, velocity;
+	} cases[] = {{0.1, 50}, {0.5, 25}, {2, 25}};
 	for (const auto& c : cases)
 		for (const bool isFine : {false, true})
 		{
@@ -248,7 +248,7 @@ TEST(InnerSteps, BendParkesCantileverWithAnyMass)
 				sum += (before + cantilever.tip()) / 2;
 			}
 			const double exact = parkesTip(double(settings.tipMass), c.velocity);
-			EXPECT_LT(fabs(sum / 6 / exact - 1), isFine ? ERROR_FOUND : c.byRow)
+			EXPECT_LT(fabs(sum / 6 / exact - 1), ERROR_FOUND)
 				<< "ratio " << c.ratio << (isFine ? ", by mode: " : ": ") << sum / 6 << " instead of " << exact;
 		}
 }
@@ -363,10 +363,12 @@ TEST(InnerSteps, AStructureThatFallsFallsAsFarAsItShould)
 
 TEST(InnerSteps, ABoxThatBouncesDoesItsDamage)
 {
-	// At 1/60 s alone it leaves no plastic work at all. Against steps of the world as short as the inner ones may be.
+	// At 1/60 s alone it leaves no plastic work at all. Against steps of the world as short as the inner ones may be, from before it lands until it is on
+	// its way up; half as short ones leave 3 % more, steps of 1/3840 s 12 % less.
 	Drop fine(2, 0.5), inner(2, 0.5);
 	takeInnerSteps(inner.m_world);
-	run(fine.m_world, 120 * 64, FRAME / 64);
+	run(fine.m_world, 36 * 16, FRAME / 16);
+	run(fine.m_world, 12 * MOST_STEPS, FRAME / MOST_STEPS);
 	EnergyAudit audit(inner.m_world);
 	for (int i = 0; i < 120; ++i)
 		audit.step(FRAME);

@@ -75,7 +75,7 @@ struct btElasticPlasticSolverSettings
 	double m_innerError = 0.04;
 
 	/// The most inner steps of a step, 1 to 4096, of which the largest power of two is taken. Where more were needed, the error is larger.
-	int m_maxInnerSteps = 64;
+	int m_maxInnerSteps = 256;
 
 	/// The most work for the inner steps of an island in a step, in the unit of btElasticPlasticStatistics::m_work, > 0: a large
 	/// island takes fewer or none. It is bounded by m_maxWork, too. The default is a quarter of a frame.

@@ -10,6 +10,12 @@
 
 namespace btElasticPlastic
 {
+namespace
+{
+/// Steps of this share of the world's step and less are those of a blow. With a sixteenth, plates that ring after one would take twice the steps.
+const btScalar SHARE_OF_A_BLOW = btScalar(1) / 32;
+}  // namespace
+
 void JointStep::project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const
 {
 	for (int i = 0; i < 3; ++i)
@@ -87,6 +93,7 @@ bool JointStep::evaluate(btScalar dt)
 		m_row[r].m_velocity0 = velocity[m_row[r].m_dof];
 		m_row[r].m_partner = -1;
 		m_row[r].m_coupling = 0;
+		m_row[r].m_isOfWaves = false;
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
@@ -140,15 +147,39 @@ void JointStep::withholdDrift()
 		m_withheldStep = 0;
 }
 
-DofState JointStep::dofState(int dof) const
+bool JointStep::carriesWaves(int r, btScalar diagonal) const
+{
+	const int dof = m_row[r].m_dof;
+	return !m_usesFibres && !m_model.m_isPaper && !m_model.m_isByMode && !m_model.m_capacity.isRigidPlastic(dof) &&
+		   m_model.m_capacity.m_stiffness[dof] * m_dt * m_dt * diagonal > 1;
+}
+
+/// The mean forces of the last step and of the one before it. What waves go by begins as if these had been as long as this one: with the
+/// spring's force and the way in which it changes at the present velocities, so that it holds what the spring does.
+void JointStep::findApplied(const Row& row, btScalar applied[2]) const
 {
 	const btElasticPlasticState& state = m_model.m_state;
+	const int dof = row.m_dof;
+	applied[0] = state.m_applied[dof];
+	applied[1] = state.m_appliedBefore[dof];
+	if (!row.m_isOfWaves || state.m_lastStep == m_dt)
+		return;
+	const btScalar yield = yieldOf(dof), change = -m_model.m_capacity.m_stiffness[dof] * m_dt * row.m_velocity0;
+	for (int i = 0; i < 2; ++i)
+		applied[i] = btClamped(state.m_force[dof] - btScalar(i + 1) * change, -yield, yield);
+}
+
+DofState JointStep::dofState(int r) const
+{
+	const btElasticPlasticState& state = m_model.m_state;
+	const int dof = m_row[r].m_dof;
 	DofState s = {m_model.m_capacity.m_stiffness[dof],
 				  yieldOf(dof),
 				  m_kinematics.m_strain[dof],
 				  state.m_force[dof],
 				  state.m_forceRate[dof],
-				  {state.m_applied[dof], state.m_appliedBefore[dof]}};
+				  {}};
+	findApplied(m_row[r], s.m_applied);
 	m_damping.addTo(s, state.m_branch, dof);
 	return s;
 }
@@ -169,7 +200,7 @@ SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForSto
 {
 	Row& row = m_row[r];
 	const int dof = row.m_dof;
-	const DofState s = dofState(dof);
+	const DofState s = dofState(r);
 	SoftRow soft;
 	if (m_model.m_capacity.isRigidPlastic(dof))
 		soft = rigidRow(s.m_yield, s.m_strain, erp, m_dt);
@@ -180,7 +211,7 @@ SoftRow JointStep::makeRow(int r, btScalar diagonal, btScalar erp, bool isForSto
 	else
 	{
 		const btScalar a = s.m_stiffness * m_dt * m_dt * diagonal;
-		soft = implicitRow(s, meanForce(a), a, m_dt);
+		soft = implicitRow(s, meanForce(r, a), a, m_dt);
 	}
 	m_erp = erp;
 	row.m_isForStock = isForStock;
@@ -202,12 +233,14 @@ void JointStep::couple(JointRows& rows)
 		while (m_row[partner].m_dof != other)
 			++partner;
 		const int pair[2] = {r, partner};
-		const DofState states[2] = {dofState(dof), dofState(other)};
+		const bool areOfWaves = m_row[r].m_isOfWaves && m_row[partner].m_isOfWaves;
+		m_row[r].m_isOfWaves = m_row[partner].m_isOfWaves = areOfWaves;
+		const DofState states[2] = {dofState(r), dofState(partner)};
 		const btScalar step = m_dt * m_dt, a[2] = {states[0].m_stiffness * rows.m_row[r].m_diagonal * step,
 												   states[1].m_stiffness * rows.m_row[partner].m_diagonal * step};
 		SoftRow soft[2];
 		// Of one scheme, by row that of the stiffer one.
-		const btScalar between = coupledRows(states, meanForce(btMax(a[0], a[1])), a, coupling, m_dt, soft);
+		const btScalar between = coupledRows(states, meanForce(r, btMax(a[0], a[1])), a, coupling, m_dt, soft);
 		for (int i = 0; i < 2; ++i)
 		{
 			Row& row = m_row[pair[i]];
@@ -223,7 +256,7 @@ void JointStep::couple(JointRows& rows)
 	}
 }
 
-bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
+bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows)
 {
 	if (m_numRows == 0 || !evaluate(dt))
 		return false;
@@ -245,6 +278,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, JointRows& rows)
 		row.m_dof = m_row[r].m_dof;
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
 		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
+		m_row[r].m_isOfWaves = share <= SHARE_OF_A_BLOW && carriesWaves(r, row.m_diagonal);
 		row.m_bound = m_lastBound[row.m_dof];
 		row.m_partner = -1;
 		row.m_coupling = 0;
@@ -312,7 +346,7 @@ RowOutcome JointStep::outcomeOf(int r) const
 ReturnMapping JointStep::returnMap(int r) const
 {
 	const Row& row = m_row[r];
-	const DofState s = dofState(row.m_dof);
+	const DofState s = dofState(r);
 	const RowOutcome outcome = outcomeOf(r);
 	if (m_model.m_capacity.isRigidPlastic(row.m_dof))
 		return rigidReturnMap(outcome.m_impulse, outcome.m_trial, outcome.isAtBound(outcome.side(), s.m_yield * m_dt),
@@ -320,25 +354,26 @@ ReturnMapping JointStep::returnMap(int r) const
 	if (m_model.m_isPaper)
 		return paperLaw(row.m_dof).returnMap(s, outcome, m_dt);
 	return row.m_isForStock ? stockReturnMap(s, outcome, m_dt)
-							: btElasticPlastic::returnMap(s, meanForce(0), outcome, m_dt);
+							: btElasticPlastic::returnMap(s, meanForce(r, 0), outcome, m_dt);
 }
 
 /// As returnMap(), of a row and the one with which it is coupled.
 void JointStep::returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const
 {
 	const int pair[2] = {r, m_row[r].m_partner};
-	const DofState states[2] = {dofState(m_row[pair[0]].m_dof), dofState(m_row[pair[1]].m_dof)};
+	const DofState states[2] = {dofState(pair[0]), dofState(pair[1])};
 	const RowOutcome outcomes[2] = {outcomeOf(pair[0]), outcomeOf(pair[1])};
 	ReturnMapping both[2];
-	returnMapCoupled(states, meanForce(0), m_row[r].m_coupling, outcomes, m_dt, both);
+	returnMapCoupled(states, meanForce(r, 0), m_row[r].m_coupling, outcomes, m_dt, both);
 	for (int i = 0; i < 2; ++i)
 		mapped[pair[i]] = both[i];
 }
 
 /// The spring's force after a search that has been cut, within the bound what it makes with the branches by which the material damps.
-btScalar JointStep::cutForce(const Row& row) const
+btScalar JointStep::cutForce(int r) const
 {
-	const DofState s = dofState(row.m_dof);
+	const Row& row = m_row[r];
+	const DofState s = dofState(r);
 	const btScalar force = s.withinYield(row.m_impulse / m_dt);
 	return m_model.m_capacity.isRigidPlastic(row.m_dof) ? force : s.springForce(force);
 }
@@ -350,12 +385,12 @@ ReturnMapping JointStep::mapCut(int r) const
 	const Row& row = m_row[r];
 	const RowOutcome outcome = outcomeOf(r);
 	ReturnMapping mapped;
-	mapped.m_force = cutForce(row);
+	mapped.m_force = cutForce(r);
 	btScalar beyond = outcome.m_trial;
 	if (!m_model.m_capacity.isRigidPlastic(row.m_dof))
 		beyond -= mapped.m_force / m_model.m_capacity.m_stiffness[row.m_dof];
 	if (row.m_partner >= 0)
-		beyond -= row.m_coupling * cutForce(m_row[row.m_partner]);
+		beyond -= row.m_coupling * cutForce(row.m_partner);
 	const bool flows = outcome.m_bound != 0 && beyond * mapped.m_force > 0;
 	mapped.m_increment = flows ? beyond : btScalar(0);
 	mapped.m_unloaded = flows || m_model.m_capacity.isRigidPlastic(row.m_dof) ? btScalar(0) : beyond;
@@ -681,10 +716,12 @@ int JointStep::commit(double share, bool isNew)
 		const int i = row.m_dof;
 		const ReturnMapping& mapped = mappedRows[r];
 		const btScalar gained = mapped.m_force - state.m_force[i];
+		btScalar applied[2];
+		findApplied(row, applied);
 		change[i] = m_model.m_capacity.isRigidPlastic(i) ? btScalar(0) : gained;
 		state.m_forceRate[i] = gained * rate;
 		state.m_force[i] = mapped.m_force;
-		state.m_appliedBefore[i] = state.m_applied[i];
+		state.m_appliedBefore[i] = applied[0];
 		state.m_applied[i] = row.m_impulse * rate;
 		unloaded[i] = mapped.m_unloaded - (m_hasRecovery ? m_dt * m_recovery[i] : btScalar(0));
 		if (mapped.m_increment == 0)

@@ -32,8 +32,10 @@ public:
 	bool evaluate(btScalar dt);
 
 	/// All that a solver needs: evaluate(), and the rows with their own diagonals.
-	/// \param erp  Bullet's error reduction, for rigid-plastic rows
-	bool begin(btScalar dt, btScalar erp, JointRows& rows);
+	/// \param erp    Bullet's error reduction, for rigid-plastic rows
+	/// \param share  of the world's step: 1, or less of an inner one. In short ones, as a blow takes them, rows that they do not resolve are
+	///               damped by mode: by row, the waves of the blow would go with them, and the damage that these do.
+	bool begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows);
 
 	/// The r-th row's law, after evaluate().
 	/// \param diagonal    A = J M^-1 J^T of the row
@@ -189,12 +191,15 @@ private:
 		int m_dof : 8;
 		bool m_isBoundKnown;
 		bool m_isForStock;
+		bool m_isOfWaves;       ///< see begin()
 		signed char m_partner;  ///< the row with which it is coupled in this step, -1: none
 		btScalar m_coupling;    ///< compliance beside the diagonal, of both
 	};
 
 	void withholdDrift();
-	DofState dofState(int dof) const;
+	bool carriesWaves(int r, btScalar diagonal) const;
+	void findApplied(const Row& row, btScalar applied[2]) const;
+	DofState dofState(int r) const;
 	PaperLaw paperLaw(int dof) const;
 	void couple(JointRows& rows);
 	/// Deformation if the whole step was elastic. It is along the axes at the start of the step: measured in the turned configuration, the turn
@@ -203,7 +208,7 @@ private:
 	RowOutcome outcomeOf(int r) const;
 	ReturnMapping returnMap(int r) const;
 	void returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
-	btScalar cutForce(const Row& row) const;
+	btScalar cutForce(int r) const;
 	ReturnMapping mapCut(int r) const;
 	void limitFlow(double work, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
@@ -212,8 +217,10 @@ private:
 	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
 	void projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) const;
 	bool isUsable(double work) const;
-	MeanForce meanForce(btScalar a) const
+	MeanForce meanForce(int r, btScalar a) const
 	{
+		if (m_row[r].m_isOfWaves)
+			return MeanForce::byMode(m_dt, m_dt, 0);
 		const btScalar last = m_model.m_state.m_lastStep;
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}

@@ -87,6 +87,9 @@ inline btScalar clampedForce(const DofState& s) { return s.withinYield(s.m_stiff
 /// With tau = 1 a swing of 50 steps has a damping ratio of 2e-5, one of 12 steps 0.5 %, of 3 steps 16 %; what has a tenth of a step a period
 /// keeps an eighth of itself from step to step. tau = 0 is backward Euler.
 ///
+/// In the many short steps of a blow (JointStep::begin()) rows that these do not resolve are by mode, all others by row. Either kind takes
+/// energy from any oscillation of an even step, so that no mix of elastic rows gains any. Such a row yields by its mean force alone, eta = 0.
+///
 /// Steps that change in phase with an oscillation would feed energy into it; therefore a changed step dissipates, by either.
 struct MeanForce
 {
@@ -105,11 +108,13 @@ struct MeanForce
 		return mean;
 	}
 
-	static MeanForce byMode(btScalar dt, btScalar lastStep)
+	/// \param middle  eta of a row that the step resolves, see bound()
+	static MeanForce byMode(btScalar dt, btScalar lastStep, btScalar middle = btScalar(0.5))
 	{
 		const btScalar tau = btMax(btScalar(0), 1 - 2 * changeOf(dt, lastStep));
 		MeanForce mean;
 		mean.m_isByMode = true;
+		mean.m_middle = middle;
 		mean.m_alpha = 1 / (1 + btScalar(1.5) * tau);
 		mean.m_share[0] = 2 * tau * mean.m_alpha;
 		mean.m_share[1] = btScalar(-0.5) * tau * mean.m_alpha;
@@ -137,7 +142,7 @@ struct MeanForce
 			row.m_upper = dt * (c + m_alpha * s.m_yield);
 			return;
 		}
-		const btScalar eta = btScalar(0.5) / (1 + a / 16), share = m_alpha / (eta + (1 - eta) * m_alpha),
+		const btScalar eta = m_middle / (1 + a / 16), share = m_alpha / (eta + (1 - eta) * m_alpha),
 					   middle = c - share * (1 - eta) * c;
 		row.m_lower = dt * btMax(-s.m_yield, btMin(btScalar(0), middle - share * s.m_yield));
 		row.m_upper = dt * btMin(s.m_yield, btMax(btScalar(0), middle + share * s.m_yield));
@@ -158,6 +163,7 @@ private:
 
 	btScalar m_beta = 0;           ///< by row
 	btScalar m_share[2] = {0, 0};  ///< by mode: of the last mean force and of the one before it
+	btScalar m_middle = 0;         ///< by mode
 	bool m_isByMode = false;
 };
 

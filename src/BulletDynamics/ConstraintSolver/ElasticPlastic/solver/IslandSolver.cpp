@@ -154,7 +154,7 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 void IslandSolver::addToDirect(JointWorks& joint, const btContactSolverInfo& info)
 {
 	JointRows rows;
-	if (!joint.m_step.begin(info.m_timeStep, info.m_erp, rows))
+	if (!joint.m_step.begin(info.m_timeStep, info.m_erp, m_share, rows))
 		return;
 	const int solverBodies[2] = {getOrInitSolverBody(joint.m_model.bodyA(), info.m_timeStep),
 								 getOrInitSolverBody(joint.m_model.bodyB(), info.m_timeStep)};
