@@ -109,6 +109,34 @@ void makeIdle(SystemInput::SingleRow& row, SystemInput::Bounded& terms)
 	terms.m_compliance = 1;
 }
 
+/// The square of what two spins differ by, over that of their mean, up to which bodies turn as one.
+const double AS_ONE = 0.1;
+
+/// How fast two bodies that turn as one have to close along a contact's normal to stay where they are to each other [m/s]: the straight ways of a step
+/// leave their circle, and part them by half of its square.
+double closingOfTurn(const btSolverBody& A, const btSolverBody& B, const btVector3& normal, btScalar dt)
+{
+	if (!A.m_originalBody || !B.m_originalBody)
+		return 0;
+	const btVector3 spin = (A.m_angularVelocity + B.m_angularVelocity) / 2,
+					apart = A.m_worldTransform.getOrigin() - B.m_worldTransform.getOrigin();
+	if (!(double((A.m_angularVelocity - B.m_angularVelocity).length2()) < AS_ONE * double(spin.length2())))
+		return 0;
+	return btMax(-double(spin.cross(spin.cross(apart)).dot(normal)) * double(dt) / 2, 0.);
+}
+
+/// J v of a row at the velocities with which the step begins, external forces included.
+double speedAlong(const SystemInput::SingleRow& row, const btSolverBody& A, const btSolverBody& B)
+{
+	const btVector3 velocity[4] = {
+		A.m_linearVelocity + A.m_externalForceImpulse, A.m_angularVelocity + A.m_externalTorqueImpulse,
+		B.m_linearVelocity + B.m_externalForceImpulse, B.m_angularVelocity + B.m_externalTorqueImpulse};
+	double speed = 0;
+	for (int i = 0; i < 12; ++i)
+		speed += row.m_J[i] * double(velocity[i / 3][i % 3]);
+	return speed;
+}
+
 bool isFree(const btSolverBody& body)
 {
 	const btVector3 one(1, 1, 1);
@@ -453,11 +481,23 @@ void DirectForm::chooseExactContacts(const SolverPools& pools)
 		}
 }
 
+/// A contact of what turns as one may close as fast as that leaves its circle, and neither opens nor gets deeper: one that overlaps would be held at
+/// no speed, and work against all that holds the bodies together.
 /// \return the contact's single row
-int DirectForm::addContact(btSolverConstraint& contact, const SolverPools& pools)
+int DirectForm::addContact(btSolverConstraint& contact, const SolverPools& pools, btScalar dt)
 {
-	const int r = addContactRow(contact, pools).m_row;
+	const SystemInput::SingleRow& single = addContactRow(contact, pools);
+	const int r = single.m_row;
 	SystemInput::Bounded& row = m_input.m_rows[size_t(r)];
+	const btSolverBody &A = pools.m_bodies[contact.m_solverBodyIdA], &B = pools.m_bodies[contact.m_solverBodyIdB];
+	const double closing = closingOfTurn(A, B, contact.m_contactNormal1, dt);
+	if (closing > 0)
+	{
+		// What has a wider gap closes anyway, and what bounces does not.
+		const double asked = row.m_target + speedAlong(single, A, B);
+		if (std::fabs(asked) < closing)
+			row.m_target -= asked + closing;
+	}
 	SystemInput::Guess& guess = m_input.m_guess[size_t(r)];
 	row.m_lower = 0;
 	row.m_upper = UNBOUNDED;
@@ -480,7 +520,7 @@ void DirectForm::addContacts(const SolverPools& pools, const btContactSolverInfo
 	{
 		const double recovery = takeRecovery(i, pools, info);
 		if (m_singleRowOf[i] >= 0)
-			m_singleRowOf[i] = addContact(pools.m_contacts[i], pools);
+			m_singleRowOf[i] = addContact(pools.m_contacts[i], pools, info.m_timeStep);
 		else
 			m_swept.addContact(i);
 		addRecovery(i, recovery, pools);

@@ -85,7 +85,7 @@ private:
 	void addConstraints(const SolverPools& pools);
 	void chooseExactContacts(const SolverPools& pools);
 	void addContacts(const SolverPools& pools, const btContactSolverInfo& info);
-	int addContact(btSolverConstraint& contact, const SolverPools& pools);
+	int addContact(btSolverConstraint& contact, const SolverPools& pools, btScalar dt);
 	double takeRecovery(int contact, const SolverPools& pools, const btContactSolverInfo& info) const;
 	void addRecovery(int contact, double speed, const SolverPools& pools);
 	bool isLoose(int solverBody) const;
