@@ -73,8 +73,8 @@ MUTATIONS = [
     Mutation("tension's leverage", "TensionDamping.cpp", "const btScalar stiffness = tension * leverage / length",
              "const btScalar stiffness = tension * leverage / length / 8", "*Taut*"),
     # ---- solver
-    Mutation("moment of an arm in H", "SystemMatrix.cpp", "p.m_topRight[i] = sign * mirrored[column][i]",
-             "p.m_topRight[i] = btScalar(1.01) * sign * mirrored[column][i]", "*System*:*Accuracy*:*Destruction*"),
+    Mutation("moment of an arm in H", "SystemMatrix.cpp", "add(left[3 + r], m_mixed ? bottom[mirrored] + m_mixed[mirrored] : bottom[mirrored])",
+             "add(left[3 + r], 1.01 * (m_mixed ? bottom[mirrored] + m_mixed[mirrored] : bottom[mirrored]))", "*System*:*Accuracy*:*Destruction*"),
     Mutation("no line search", "System.cpp", "t = next > low && next < high ? next : (low + high) / 2", "t = 1", "*System*:*Destruction*"),
     Mutation("coupling in psi", "AdmissibleBox.h", "strain += 0.5 * row.m_coupling", "strain += 0.4 * row.m_coupling",
              "*AdmissibleBox*"),
