@@ -278,7 +278,7 @@ TEST(Law, YieldsByTheMeanForceOrByThatOfTheMiddle)
 		// Unloading does not pull: no bound is beyond zero, and none beyond yield.
 		EXPECT_NEAR(50 * side, (applied + mean.limit(side, applied * dt, s, dt)) / 2, 1e-3);
 		// What waves go by does not know the difference.
-		MeanForce::byMode(dt, dt, 0).bound(s, 0, dt, row);
+		MeanForce::ofWaves(true).bound(s, 0, dt, row);
 		EXPECT_NEAR(50 * side, (side > 0 ? row.m_upper : row.m_lower) / dt, 1e-3);
 	}
 }

@@ -154,21 +154,6 @@ bool JointStep::carriesWaves(int r, btScalar diagonal) const
 		   m_model.m_capacity.m_stiffness[dof] * m_dt * m_dt * diagonal > 1;
 }
 
-/// The mean forces of the last step and of the one before it. What waves go by begins as if these had been as long as this one: with the
-/// spring's force and the way in which it changes at the present velocities, so that it holds what the spring does.
-void JointStep::findApplied(const Row& row, btScalar applied[2]) const
-{
-	const btElasticPlasticState& state = m_model.m_state;
-	const int dof = row.m_dof;
-	applied[0] = state.m_applied[dof];
-	applied[1] = state.m_appliedBefore[dof];
-	if (!row.m_isOfWaves || state.m_lastStep == m_dt)
-		return;
-	const btScalar yield = yieldOf(dof), change = -m_model.m_capacity.m_stiffness[dof] * m_dt * row.m_velocity0;
-	for (int i = 0; i < 2; ++i)
-		applied[i] = btClamped(state.m_force[dof] - btScalar(i + 1) * change, -yield, yield);
-}
-
 DofState JointStep::dofState(int r) const
 {
 	const btElasticPlasticState& state = m_model.m_state;
@@ -178,8 +163,7 @@ DofState JointStep::dofState(int r) const
 				  m_kinematics.m_strain[dof],
 				  state.m_force[dof],
 				  state.m_forceRate[dof],
-				  {}};
-	findApplied(m_row[r], s.m_applied);
+				  {state.m_applied[dof], state.m_appliedBefore[dof]}};
 	m_damping.addTo(s, state.m_branch, dof);
 	return s;
 }
@@ -716,13 +700,13 @@ int JointStep::commit(double share, bool isNew)
 		const int i = row.m_dof;
 		const ReturnMapping& mapped = mappedRows[r];
 		const btScalar gained = mapped.m_force - state.m_force[i];
-		btScalar applied[2];
-		findApplied(row, applied);
 		change[i] = m_model.m_capacity.isRigidPlastic(i) ? btScalar(0) : gained;
 		state.m_forceRate[i] = gained * rate;
 		state.m_force[i] = mapped.m_force;
-		state.m_appliedBefore[i] = applied[0];
-		state.m_applied[i] = row.m_impulse * rate;
+		const btScalar applied = row.m_impulse * rate;
+		// The mean force of a step of another length is no past of waves.
+		state.m_appliedBefore[i] = row.m_isOfWaves && !isEven() ? applied : state.m_applied[i];
+		state.m_applied[i] = applied;
 		unloaded[i] = mapped.m_unloaded - (m_hasRecovery ? m_dt * m_recovery[i] : btScalar(0));
 		if (mapped.m_increment == 0)
 			continue;

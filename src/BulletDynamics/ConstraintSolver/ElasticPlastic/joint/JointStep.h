@@ -198,7 +198,7 @@ private:
 
 	void withholdDrift();
 	bool carriesWaves(int r, btScalar diagonal) const;
-	void findApplied(const Row& row, btScalar applied[2]) const;
+	bool isEven() const { return m_model.m_state.m_lastStep == m_dt; }
 	DofState dofState(int r) const;
 	PaperLaw paperLaw(int dof) const;
 	void couple(JointRows& rows);
@@ -220,7 +220,7 @@ private:
 	MeanForce meanForce(int r, btScalar a) const
 	{
 		if (m_row[r].m_isOfWaves)
-			return MeanForce::byMode(m_dt, m_dt, 0);
+			return MeanForce::ofWaves(isEven());
 		const btScalar last = m_model.m_state.m_lastStep;
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}

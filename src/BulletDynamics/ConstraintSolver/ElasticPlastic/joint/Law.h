@@ -108,16 +108,29 @@ struct MeanForce
 		return mean;
 	}
 
-	/// \param middle  eta of a row that the step resolves, see bound()
-	static MeanForce byMode(btScalar dt, btScalar lastStep, btScalar middle = btScalar(0.5))
+	static MeanForce byMode(btScalar dt, btScalar lastStep)
 	{
 		const btScalar tau = btMax(btScalar(0), 1 - 2 * changeOf(dt, lastStep));
 		MeanForce mean;
 		mean.m_isByMode = true;
-		mean.m_middle = middle;
+		mean.m_middle = btScalar(0.5);
 		mean.m_alpha = 1 / (1 + btScalar(1.5) * tau);
 		mean.m_share[0] = 2 * tau * mean.m_alpha;
 		mean.m_share[1] = btScalar(-0.5) * tau * mean.m_alpha;
+		return mean;
+	}
+
+	/// By mode, of a row that yields by its mean force; the first step after one of another length is backward Euler, which gives no energy whatever
+	/// was before.
+	static MeanForce ofWaves(bool isEven)
+	{
+		MeanForce mean = byMode(1, 1);
+		if (!isEven)
+		{
+			mean.m_alpha = 1;
+			mean.m_share[0] = mean.m_share[1] = 0;
+		}
+		mean.m_middle = 0;
 		return mean;
 	}
 
@@ -163,7 +176,7 @@ private:
 
 	btScalar m_beta = 0;           ///< by row
 	btScalar m_share[2] = {0, 0};  ///< by mode: of the last mean force and of the one before it
-	btScalar m_middle = 0;         ///< by mode
+	btScalar m_middle = 0;         ///< by mode: eta of a row that the step resolves, see bound()
 	bool m_isByMode = false;
 };
 
