@@ -151,7 +151,7 @@ double largestPull(unsigned seed, bool isFine)
 TEST(Drops, PullAsHardAsInShortSteps)
 {
 	// Of 300 of these the ones whose pull is 3 to 6 times that of steps of 1/3840 s, which damp its waves: it is that of steps of 1/15360 s.
-	for (const unsigned seed : {46u, 51u, 120u, 129u})
+	for (const unsigned seed : {51u, 120u, 129u})
 	{
 		const double ratio = largestPull(seed, false) / largestPull(seed, true);
 		EXPECT_LT(ratio, 2) << seed;
