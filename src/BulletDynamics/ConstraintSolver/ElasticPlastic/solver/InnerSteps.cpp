@@ -7,6 +7,7 @@
 
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
@@ -29,6 +30,8 @@ const double NO_INNER_SHARE = 1. / 1000;
 /// The least work of a solution by joint, in the unit of btElasticPlasticStatistics::m_work: what no island of so many joints can do
 /// twice is not tried.
 const long long LEAST_WORK_A_JOINT = 500;
+/// The same by contact point: it is set up and swept in each inner step, which no statistics count.
+const long long LEAST_WORK_A_POINT = 250;
 
 /// What has not flowed for so many steps rings; they are not counted beyond the second number.
 const int QUIET_STEPS = 6, MOST_QUIET_STEPS = 2 * QUIET_STEPS;
@@ -144,6 +147,15 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 											   island.m_constraints[i]->getRigidBodyA().getCenterOfMassPosition());
 	return open;
 }
+
+/// Whether there is the work for the contacts of two inner steps.
+bool hasWorkForContacts(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
+{
+	long long points = 0;
+	for (int i = 0; i < island.m_numManifolds; ++i)
+		points += island.m_manifolds[i]->getNumContacts();
+	return 2 * LEAST_WORK_A_POINT * points <= settings.m_maxInnerWork;
+}
 }  // namespace
 
 bool InnerSteps::mayBeTaken(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
@@ -164,7 +176,8 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	Task task = {
 		island,       info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
 		InnerRhythm()};
-	JointRegistry* const registry = info.m_timeStep > 0 && mayBeTaken(island, settings) ? beginJoints(island) : nullptr;
+	const bool mayTake = info.m_timeStep > 0 && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
+	JointRegistry* const registry = mayTake ? beginJoints(island) : nullptr;
 	if (!registry)
 	{
 		solution.solveStep(info, 1, settings.m_maxWork);
