@@ -18,6 +18,8 @@ namespace
 {
 const double FULL_TURN = 2 * 3.14159265358979323846;
 const int LEAST_FIBRES = 4, MOST_FIBRES = 400;
+/// From so many on a rectangle and a circle have their finest fibres.
+const int MANY = 80;
 
 /// Four fibres of a rectangle at (+-y, +-z), as shares of height and width, and their share of the area.
 struct Orbit
@@ -96,20 +98,22 @@ void addTo(btElasticPlasticSection& section, const btElasticPlasticSectionPart& 
 	add(section, part.m_y + c * alongHeight - s * alongWidth, part.m_z + s * alongHeight + c * alongWidth, area);
 }
 
-template <int N>
-void addOrbits(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, const Orbit (&orbits)[N])
+void addOrbits(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, const Orbit* orbits,
+			   int numOrbits)
 {
 	const double height = part.m_height, width = part.m_width;
 	double sum = 0, arm[2] = {};
-	for (const Orbit& orbit : orbits)
+	for (int i = 0; i < numOrbits; ++i)
 	{
-		sum += orbit.m_share;
-		arm[0] += orbit.m_share * orbit.m_y;
-		arm[1] += orbit.m_share * orbit.m_z;
+		sum += orbits[i].m_share;
+		arm[0] += orbits[i].m_share * orbits[i].m_y;
+		arm[1] += orbits[i].m_share * orbits[i].m_z;
 	}
 	// The tables' digits must not show in what is exact.
 	const double scaleY = 0.25 * sum / arm[0], scaleZ = 0.25 * sum / arm[1];
-	for (const Orbit& orbit : orbits)
+	for (int i = 0; i < numOrbits; ++i)
+	{
+		const Orbit& orbit = orbits[i];
 		for (int corner = 0; corner < 4; ++corner)
 		{
 			const double y = (corner & 1 ? 1 : -1) * scaleY * orbit.m_y * height,
@@ -118,6 +122,23 @@ void addOrbits(btElasticPlasticSection& section, const btElasticPlasticSectionPa
 			if (section.m_parts.size() == 1)
 				shearFreely(section.m_fibres[section.m_fibres.size() - 1], -z * height / width, y * width / height);
 		}
+	}
+}
+
+template <int N>
+void addOrbits(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, const Orbit (&orbits)[N])
+{
+	addOrbits(section, part, orbits, N);
+}
+
+/// 0.7 %: in each quarter a lattice of equal shares, no two of which have the same height or width.
+void addLattice(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part)
+{
+	const int n = 28, generator = 11;
+	Orbit orbits[n];
+	for (int i = 0; i < n; ++i)
+		orbits[i] = {(i + 0.5) / (2 * n), (i * generator % n + 0.5) / (2 * n), 1};
+	addOrbits(section, part, orbits);
 }
 
 void addRectangle(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, int count)
@@ -130,8 +151,10 @@ void addRectangle(btElasticPlasticSection& section, const btElasticPlasticSectio
 		addOrbits(section, part, TWELVE);
 	else if (count <= 16)
 		addOrbits(section, part, SIXTEEN);
-	else
+	else if (count < MANY)
 		addOrbits(section, part, THIRTY_SIX);
+	else
+		addLattice(section, part);
 }
 
 /// A polygon of fibres.
@@ -151,9 +174,39 @@ void addRing(btElasticPlasticSection& section, const btElasticPlasticSectionPart
 	}
 }
 
+/// 0.4 %: rings of fibres of one size, each in the middle of its ring's area, moved outwards until they bear in bending what the circle does.
+void addManyRings(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part)
+{
+	const int counts[] = {7, 15, 21, 27, 31}, all = 101, first = section.m_fibres.size();
+	const double r = part.m_radius, area = section.m_area;
+	double inner = 0;
+	for (int k = 0; k < 5; ++k)
+	{
+		const double share = double(counts[k]) / all, outer = sqrt(inner * inner + share),
+					 radius = 2. / 3 * (outer * outer * outer - inner * inner * inner) / share;
+		addRing(section, part, counts[k], r * radius, area * share, k % 2 == 0 ? 0.25 : 0.5);
+		inner = outer;
+	}
+	double arm[2] = {};
+	for (int i = first; i < section.m_fibres.size(); ++i)
+	{
+		arm[0] += fabs(double(section.m_fibres[i].m_y - part.m_y)) / all;
+		arm[1] += fabs(double(section.m_fibres[i].m_z - part.m_z)) / all;
+	}
+	const double exact = 8. / 3 / FULL_TURN * r;
+	for (int i = first; i < section.m_fibres.size(); ++i)
+	{
+		btElasticPlasticSectionFibre& fibre = section.m_fibres[i];
+		fibre.m_y = part.m_y + btScalar(exact / arm[0]) * (fibre.m_y - part.m_y);
+		fibre.m_z = part.m_z + btScalar(exact / arm[1]) * (fibre.m_z - part.m_z);
+	}
+}
+
 void addRound(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, int count)
 {
 	const double r = part.m_radius, inner = part.m_innerRadius, area = section.m_area;
+	if (inner == 0 && count >= MANY)
+		return addManyRings(section, part);
 	if (inner == 0)
 	{
 		const Ring* const rings = count <= 14 ? FOURTEEN : count <= 20 ? TWENTY : THIRTY_THREE;
@@ -291,9 +344,9 @@ btElasticPlasticSection btElasticPlasticSection::withFibresFor(btScalar error, b
 		int m_count;
 		double m_error;
 	};
-	static const Choice rectangles[] = {{4, 0.24}, {8, 0.08}, {12, 0.042}, {16, 0.026}, {36, 0}},
-						circles[] = {{14, 0.033}, {20, 0.019}, {33, 0}}, walls[] = {{12, 0.055}, {24, 0.03}, {60, 0}},
-						polygons[] = {{36, 0.03}, {100, 0}};
+	static const Choice rectangles[] = {{4, 0.24}, {8, 0.08}, {12, 0.042}, {16, 0.026}, {36, 0.011}, {112, 0}},
+						circles[] = {{14, 0.033}, {20, 0.019}, {33, 0.0115}, {101, 0}},
+						walls[] = {{12, 0.055}, {24, 0.03}, {60, 0}}, polygons[] = {{36, 0.03}, {100, 0}};
 	const bool isRing = m_parts.size() == 1 && m_parts[0].m_innerRadius > 0;
 	const Choice* choice = m_parts.size() == 0       ? polygons
 						   : m_parts.size() > 1      ? walls
