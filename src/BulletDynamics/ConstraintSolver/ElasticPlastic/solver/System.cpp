@@ -56,8 +56,8 @@ const int RINGS = 6, RINGS_MORE = 4, MOST_PLACES = 4;
 /// How often rows may join a working set, and how many guesses have sets.
 const int MOST_TURNS = 16, MOST_GUESSES = 4;
 
-/// Where contacts' loops have taken so many Newton steps, in an island of more than few bodies, the interior point method takes over.
-const int MANY_STEPS = 15;
+/// Where contacts' loops have taken so many Newton steps, the interior point method takes over; the second number is for islands of few bodies.
+const int MANY_STEPS = 15, MANY_STEPS_WITH_FEW = 50;
 
 /// Nominal work of an evaluation by row, see btElasticPlasticStatistics::m_work.
 const double EVALUATION_A_ROW = 8;
@@ -439,7 +439,8 @@ bool System::search(SystemInput& input, Effort effort)
 		workBefore = m_statistics.m_work;
 		++m_statistics.m_contactLoops;
 		// The interior point method ends the loops, too.
-		m_isHard |= input.getNumBodies() > FEW_BODIES && m_statistics.m_newtonSteps - newtonSteps > MANY_STEPS;
+		m_isHard |= m_statistics.m_newtonSteps - newtonSteps >
+					(input.getNumBodies() > FEW_BODIES ? MANY_STEPS : MANY_STEPS_WITH_FEW);
 		// The contacts' targets have changed, so the solution changes even if no bound does.
 		solved = findMinimum(input, effort);
 		if (m_insideHasSolved)
