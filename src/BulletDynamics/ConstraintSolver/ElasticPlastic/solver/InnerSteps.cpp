@@ -174,8 +174,8 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 					   Solution& solution)
 {
 	Task task = {
-		island,       info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
-		InnerRhythm()};
+		island,        info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
+		InnerRhythm(), 0};
 	const bool mayTake = info.m_timeStep > 0 && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
 	JointRegistry* const registry = mayTake ? beginJoints(island) : nullptr;
 	if (!registry)
