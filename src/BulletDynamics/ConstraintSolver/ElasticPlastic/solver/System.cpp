@@ -711,7 +711,7 @@ bool System::solve(SystemInput& input, int& islandId, Effort effort, int numSolu
 	if (m_place)
 		m_place->m_condensation.clear();
 	// A sixteenth is for what the last step of the search takes beyond what was foreseen.
-	m_workEnd = m_statistics.m_work + m_settings.m_maxWork - m_settings.m_maxWork / 16;
+	m_workEnd = m_statistics.m_work + (m_settings.m_maxWork - m_settings.m_maxWork / 16);
 	m_velocity.assign(6 * size_t(input.getNumBodies()), 0.);
 	m_residual.resize(m_velocity.size());
 	const bool isNumber = search(input, effort);
