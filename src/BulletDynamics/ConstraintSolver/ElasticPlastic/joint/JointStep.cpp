@@ -240,6 +240,64 @@ void JointStep::couple(JointRows& rows)
 	}
 }
 
+void JointStep::makeRows(btScalar erp, JointRows& rows)
+{
+	if (!m_usesFibres && !m_model.m_isPaper)
+		couple(rows);
+	for (int r = 0; r < rows.m_numRows; ++r)
+		if (m_row[r].m_partner < 0)
+			rows.m_row[r].m_soft = makeRow(r, rows.m_row[r].m_diagonal, erp, false);
+}
+
+/// Whether all rows may be those of springs by row, and so be computed side by side.
+bool JointStep::areAlike() const
+{
+	return m_model.isElasticPlasticThroughout() && m_numRows == BT_EP_DOF_COUNT && !m_usesFibres &&
+		   !m_model.m_isPaper && !m_model.m_isByMode && SpringLanes::areSprings(m_model.m_capacity);
+}
+
+/// As couple() and makeRow() do it for rows one by one.
+void JointStep::makeRowsAlike(btScalar erp, JointRows& rows)
+{
+	m_erp = erp;
+	const SpringLanes springs(m_model.m_capacity, m_model.m_state, m_damping, m_kinematics.m_strain);
+	Lanes diagonal;
+	int rowOf[BT_EP_DOF_COUNT];
+	diagonal.fill(1);
+	for (int r = 0; r < BT_EP_DOF_COUNT; ++r)
+	{
+		rowOf[m_row[r].m_dof] = r;
+		diagonal[m_row[r].m_dof] = rows.m_row[r].m_diagonal;
+	}
+	SpringLanes::Rows made;
+	springs.makeRows(diagonal, m_dt, m_model.m_state.m_lastStep, made);
+	for (int r = 0; r < BT_EP_DOF_COUNT; ++r)
+	{
+		Row& row = m_row[r];
+		SoftRow& soft = rows.m_row[r].m_soft;
+		const int dof = row.m_dof;
+		soft.m_compliance = made.m_compliance[dof];
+		soft.m_velocity = made.m_velocity[dof];
+		row.m_lower = soft.m_lower = made.m_lower[dof];
+		row.m_upper = soft.m_upper = made.m_upper[dof];
+		row.m_isForStock = false;
+	}
+	for (int pair = 0; pair < 2; ++pair)
+	{
+		if (springs.getCoupling(pair) == 0)
+			continue;
+		const int shear = BT_EP_SHEAR_Y + pair, bending = btElasticPlasticCapacity::coupledWith(shear);
+		for (const int dof : {shear, bending})
+		{
+			const int r = rowOf[dof], partner = rowOf[shear + bending - dof];
+			m_row[r].m_partner = static_cast<signed char>(partner);
+			m_row[r].m_coupling = springs.getCoupling(pair);
+			rows.m_row[r].m_partner = partner;
+			rows.m_row[r].m_coupling = made.m_coupling[pair];
+		}
+	}
+}
+
 bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows)
 {
 	if (m_numRows == 0 || !evaluate(dt))
@@ -267,11 +325,11 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		row.m_partner = -1;
 		row.m_coupling = 0;
 	}
-	if (!m_usesFibres && !m_model.m_isPaper)
-		couple(rows);
-	for (int r = 0; r < rows.m_numRows; ++r)
-		if (m_row[r].m_partner < 0)
-			rows.m_row[r].m_soft = makeRow(r, rows.m_row[r].m_diagonal, erp, false);
+	m_areAlike = share > SHARE_OF_A_BLOW && areAlike();
+	if (m_areAlike)
+		makeRowsAlike(erp, rows);
+	else
+		makeRows(erp, rows);
 	if (m_usesFibres)
 	{
 		const btVector3& axis = k.m_axis[0];
@@ -351,6 +409,40 @@ void JointStep::returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) cons
 	returnMapCoupled(states, meanForce(r, 0), m_row[r].m_coupling, outcomes, m_dt, both);
 	for (int i = 0; i < 2; ++i)
 		mapped[pair[i]] = both[i];
+}
+
+/// Maps springs that are alike while none of them flows.
+/// \return false if they are not, or one does: then each row has to be mapped by itself
+bool JointStep::mapAlike(const btScalar velocity1[BT_EP_DOF_COUNT], ReturnMapping mapped[BT_EP_DOF_COUNT]) const
+{
+	// What the joint is may have been changed since the step began.
+	if (!m_areAlike || !m_row[0].m_isBoundKnown || !areAlike())
+		return false;
+	Lanes trial, velocity, force;
+	trial.load(m_kinematics.m_strain);
+	velocity.load(velocity1);
+	for (int i = 0; i < Lanes::COUNT; ++i)
+		trial[i] -= m_dt * velocity[i];
+	const SpringLanes springs(m_model.m_capacity, m_model.m_state, m_damping, m_kinematics.m_strain);
+	if (!springs.mapElastic(trial, force))
+		return false;
+	for (int r = 0; r < BT_EP_DOF_COUNT; ++r)
+		mapped[r] = {force[m_row[r].m_dof], 0};
+	return true;
+}
+
+/// Maps all rows but those of fibres one by one.
+void JointStep::mapRows(bool isCut, ReturnMapping mapped[BT_EP_DOF_COUNT]) const
+{
+	for (int r = 0, numPlain = getNumPlainRows(); r < numPlain; ++r)
+	{
+		if (isCut)
+			mapped[r] = mapCut(r);
+		else if (m_row[r].m_partner < 0)
+			mapped[r] = returnMap(r);
+		else if (r < m_row[r].m_partner)
+			returnMapPair(r, mapped);
+	}
 }
 
 /// The spring's force after a search that has been cut, within the bound what it makes with the branches by which the material damps.
@@ -497,17 +589,36 @@ void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) co
 bool JointStep::isUsable(double work) const
 {
 	const btScalar rate = 1 / m_dt, most = btElasticPlasticCapacity::greatestYield();
-	bool isBounded = true;
-	double sum = work;  // a number only if all of them are
+	Lanes trial, moved, impulse, yield, stiffness, sums, isBeyond;
+	yield.load(m_model.m_capacity.m_yield);
+	stiffness.load(m_model.m_capacity.m_stiffness);
+	for (Lanes* lanes : {&trial, &moved, &impulse})
+		lanes->fill(0);
 	for (int r = 0; r < m_numRows; ++r)
 	{
 		const int dof = m_row[r].m_dof;
-		const btScalar trial = btFabs(trialOf(r)), moved = m_hasRecovery ? btFabs(m_recovery[dof]) : btScalar(0);
+		trial[dof] = trialOf(r);
+		impulse[dof] = m_row[r].m_impulse;
+	}
+	if (m_hasRecovery)
+		moved.load(m_recovery);
+	for (int i = 0; i < Lanes::COUNT; ++i)
+	{
+		const btScalar way = btFabs(trial[i]), further = btFabs(moved[i]), full = stiffness[i] * way;
 		// The force at the end of the step, its rate, and the energy of its flow are not above these.
-		const btScalar spring = btMin(m_model.m_capacity.m_yield[dof], m_model.m_capacity.m_stiffness[dof] * trial),
-					   forceRate = (btFabs(m_row[r].m_impulse * rate) + spring) * rate;
-		sum += double(trial) + double(moved) + double(forceRate);
-		isBounded &= trial < btScalar(BT_LARGE_FLOAT) && moved < btScalar(BT_LARGE_FLOAT) && forceRate <= most;
+		const btScalar spring = yield[i] < full ? yield[i] : full,
+					   forceRate = (btFabs(impulse[i] * rate) + spring) * rate;
+		sums[i] = way + further + forceRate;
+		const bool isWithin =
+			(way < btScalar(BT_LARGE_FLOAT)) & (further < btScalar(BT_LARGE_FLOAT)) & (forceRate <= most);
+		isBeyond[i] = isWithin ? btScalar(0) : btScalar(1);
+	}
+	bool isBounded = true;
+	double sum = work;  // a number only if all of them are
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		sum += double(sums[i]);
+		isBounded &= isBeyond[i] == 0;
 	}
 	for (const btRigidBody* body : {&m_model.bodyA(), &m_model.bodyB()})
 	{
@@ -536,7 +647,11 @@ void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Ou
 	}
 	state.m_dampingEnergy += fibres.m_lost;
 	const btScalar rate = 1 / m_dt;
-	btScalar compliance[BT_EP_DOF_COUNT] = {}, coupling[2] = {};
+	btScalar coupling[2] = {};
+	Lanes changes, compliance, forceRate;
+	changes.load(change);
+	forceRate.load(state.m_forceRate);
+	compliance.fill(0);
 	for (int r = 0, numPlain = getNumPlainRows(); r < numPlain; ++r)
 	{
 		const int i = m_row[r].m_dof;
@@ -548,27 +663,32 @@ void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Ou
 		coupling[i - BT_EP_SHEAR_Y] = m_model.m_capacity.couplingCompliance(i);
 	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
 	{
-		btScalar *const q = state.m_branch[b], before[BT_EP_DOF_COUNT];
-		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		{
-			before[i] = q[i];
-			q[i] = m_damping.next(b, q[i], change[i]);
-		}
+		Lanes before, q;
+		before.load(state.m_branch[b]);
+		const btScalar kept = m_damping.getKept(b), taken = m_damping.getTaken(b);
+		for (int i = 0; i < Lanes::COUNT; ++i)
+			q[i] = kept * before[i] + taken * changes[i];
 		if (m_usesFibres)
 		{
 			q[BT_EP_AXIAL] = btScalar(fibres.m_branch[b].m_axial);
 			q[BT_EP_BENDING_Y] = btScalar(fibres.m_branch[b].m_momentY);
 			q[BT_EP_BENDING_Z] = btScalar(fibres.m_branch[b].m_momentZ);
 		}
-		double squares = fibres.m_squares[b];  // q0^2 + q0 q1 + q1^2, over k
-		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		q.store(state.m_branch[b]);
+		double of[Lanes::COUNT];
+		for (int i = 0; i < Lanes::COUNT; ++i)
 		{
 			const double was = before[i], is = q[i];
-			squares += double(compliance[i]) * (was * (was + is) + is * is);
-			state.m_forceRate[i] += (q[i] - before[i]) * rate;
+			of[i] = double(compliance[i]) * (was * (was + is) + is * is);
+			forceRate[i] += (q[i] - before[i]) * rate;
 		}
+		double squares = fibres.m_squares[b];  // q0^2 + q0 q1 + q1^2, over k
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			squares += of[i];
 		for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z; ++i)
 		{
+			if (coupling[i - BT_EP_SHEAR_Y] == 0)
+				continue;
 			const int bending = btElasticPlasticCapacity::coupledWith(i);
 			const double was[2] = {before[i], before[bending]}, is[2] = {q[i], q[bending]};
 			squares += double(coupling[i - BT_EP_SHEAR_Y]) *
@@ -577,6 +697,7 @@ void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Ou
 		if (squares > 0)
 			state.m_dampingEnergy += squares * double(m_damping.getLoss(b)) / 3;
 	}
+	forceRate.store(state.m_forceRate);
 }
 
 double JointStep::getLoan() const
@@ -677,13 +798,8 @@ int JointStep::commit(double share, bool isNew)
 	const bool isCut = m_isCut && !m_model.m_isPaper;
 	ReturnMapping mappedRows[BT_EP_DOF_COUNT];
 	const int numPlain = getNumPlainRows();
-	for (int r = 0; r < numPlain; ++r)
-		if (isCut)
-			mappedRows[r] = mapCut(r);
-		else if (m_row[r].m_partner < 0)
-			mappedRows[r] = returnMap(r);
-		else if (r < m_row[r].m_partner)
-			returnMapPair(r, mappedRows);
+	if (isCut || !mapAlike(velocity1, mappedRows))
+		mapRows(isCut, mappedRows);
 	FibreStep::Outcome fibres;
 	if (m_usesFibres)
 	{

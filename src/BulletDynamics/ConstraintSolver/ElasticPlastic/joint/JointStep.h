@@ -9,6 +9,7 @@
 #include "JointRows.h"
 #include "MaterialDamping.h"
 #include "PaperLaw.h"
+#include "SpringLanes.h"
 
 namespace btElasticPlastic
 {
@@ -198,6 +199,11 @@ private:
 
 	void withholdDrift();
 	bool carriesWaves(int r, btScalar diagonal) const;
+	bool areAlike() const;
+	void makeRows(btScalar erp, JointRows& rows);
+	void makeRowsAlike(btScalar erp, JointRows& rows);
+	void mapRows(bool isCut, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
+	bool mapAlike(const btScalar velocity1[BT_EP_DOF_COUNT], ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	bool isEven() const { return m_model.m_state.m_lastStep == m_dt; }
 	DofState dofState(int r) const;
 	PaperLaw paperLaw(int dof) const;
@@ -239,6 +245,7 @@ private:
 	btScalar m_erp = 0;
 	double m_given = 0;  ///< see setWork()
 	bool m_hasRecovery = false, m_isCut = false, m_isFree = false, m_usesFibres = false, m_isWorkKnown = false;
+	bool m_areAlike = false;               ///< all rows are springs of one law, see SpringLanes
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0[2];  ///< of A and of B at the start of the step [rad/s]

@@ -99,9 +99,33 @@ struct MeanForce
 	/// \param lastStep  0: none
 	static MeanForce byRow(btScalar a, btScalar dt, btScalar lastStep)
 	{
-		// a / (a + 4) written so that a = infinity is no NaN.
-		const btScalar gamma =
-			btScalar(0.5) + btMin(btScalar(1), (a > 1 ? 1 / (1 + 4 / a) : a / (a + 4)) + changeOf(dt, lastStep));
+		return byRow(dampingOf(isStiff(a) ? shareOfStiff(a) : shareOfSoft(a), changeOf(dt, lastStep)));
+	}
+
+	// The parts of it, for loops over rows.
+
+	/// a / (a + 4): of a row with a above 1 by the inverse, so that a = infinity is no NaN.
+	static bool isStiff(btScalar a) { return a > 1; }
+	static btScalar shareOfStiff(btScalar a) { return 1 / (1 + 4 / a); }
+	static btScalar shareOfSoft(btScalar a) { return a / (a + 4); }
+
+	/// How much a step differs from the last one, 0 to 1. \param lastStep  0: none
+	static btScalar changeOf(btScalar dt, btScalar lastStep)
+	{
+		return lastStep > 0 ? btFabs(dt - lastStep) / (dt + lastStep) : btScalar(0);
+	}
+
+	/// gamma - 1/2, at most 1.
+	static btScalar dampingOf(btScalar share, btScalar change)
+	{
+		const btScalar sum = share + change;
+		return 1 < sum ? btScalar(1) : sum;
+	}
+
+	/// \param damping  gamma - 1/2
+	static MeanForce byRow(btScalar damping)
+	{
+		const btScalar gamma = btScalar(0.5) + damping;
 		MeanForce mean;
 		mean.m_alpha = (gamma + btScalar(0.5)) * (gamma + btScalar(0.5)) / 4;
 		mean.m_beta = btScalar(0.5) + mean.m_alpha - gamma;
@@ -169,11 +193,6 @@ struct MeanForce
 	}
 
 private:
-	static btScalar changeOf(btScalar dt, btScalar lastStep)
-	{
-		return lastStep > 0 ? btFabs(dt - lastStep) / (dt + lastStep) : btScalar(0);
-	}
-
 	btScalar m_beta = 0;           ///< by row
 	btScalar m_share[2] = {0, 0};  ///< by mode: of the last mean force and of the one before it
 	btScalar m_middle = 0;         ///< by mode: eta of a row that the step resolves, see bound()
