@@ -39,6 +39,7 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 	model.m_refused = capacity.fault();
 	if (!model.m_refused)
 		model.takeCapacity(capacity);
+	m_works->rouse();
 	m_works->setFault(model.findFault());
 	if (model.m_fault)
 	{

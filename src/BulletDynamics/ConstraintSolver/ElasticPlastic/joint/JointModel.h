@@ -25,6 +25,8 @@ btElasticPlasticFault findNumberFault(const btElasticPlasticState& state);
 struct JointModel
 {
 	btTypedConstraint& m_constraint;
+	/// Of the constraint, which has them elsewhere in memory: a step's end uses nothing else of it.
+	btRigidBody &m_bodyA, &m_bodyB;
 	const btTransform& m_frameInA;
 	const btTransform& m_frameInB;
 	unsigned m_dofs = 0;  ///< bit i: degree of freedom i is elastic-plastic
@@ -37,12 +39,16 @@ struct JointModel
 	btElasticPlasticCapacity m_capacity;
 
 	JointModel(btTypedConstraint& constraint, const btTransform& frameInA, const btTransform& frameInB)
-		: m_constraint(constraint), m_frameInA(frameInA), m_frameInB(frameInB)
+		: m_constraint(constraint),
+		  m_bodyA(constraint.getRigidBodyA()),
+		  m_bodyB(constraint.getRigidBodyB()),
+		  m_frameInA(frameInA),
+		  m_frameInB(frameInB)
 	{
 	}
 
-	btRigidBody& bodyA() const { return m_constraint.getRigidBodyA(); }
-	btRigidBody& bodyB() const { return m_constraint.getRigidBodyB(); }
+	btRigidBody& bodyA() const { return m_bodyA; }
+	btRigidBody& bodyB() const { return m_bodyB; }
 	bool isElasticPlastic(int dof) const { return (m_dofs >> dof & 1u) != 0; }
 	bool isElasticPlasticThroughout() const { return m_dofs == (1u << BT_EP_DOF_COUNT) - 1; }
 

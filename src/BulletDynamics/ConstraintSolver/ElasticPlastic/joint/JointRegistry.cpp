@@ -396,24 +396,29 @@ void JointRegistry::commitJoints(const btDynamicsWorld& world)
 	m_leftOut.resize(0);
 	for (int i = 0; i < m_joints.getEnd(); ++i)
 	{
-		if (i + PREFETCH_AHEAD < m_joints.getEnd())
+		if (i + PREFETCH_AHEAD < m_joints.getEnd() && !m_joints[i + PREFETCH_AHEAD].m_isDormant)
 			m_joints[i + PREFETCH_AHEAD].m_joint->prefetch();
+		if (m_joints[i].m_isDormant)
+			continue;
 		JointWorks& joint = *m_joints[i].m_joint;
 		const bool wasInStep = joint.wasInStep();
 		leaveIfGone(world, joint);
+		const bool isInStep = joint.isInStep();
 		const int outcome = joint.commit();
 		if (wasInStep && !joint.wasInStep())
 			m_leftOut.push_back(&joint);
 		if (hasToStayAwake(world, joint))
 			joint.wakeBodies();
-		if (joint.m_levels.isAnySet() && joint.wasInStep())
+		if (joint.wasInStep() && joint.m_levels.isAnySet())
 			reportLevels(joint);
 		if (outcome & JointStep::YIELDED)
 			report(BT_EP_EVENT_YIELD, joint);
-		if (joint.m_step.getLosses().size() > 0)
+		if (isInStep && joint.m_step.getLosses().size() > 0)
 			reportLosses(joint);
 		if (outcome & JointStep::BROKE)
 			report(BT_EP_EVENT_BREAK, joint);
+		// Most of a world asleep, which is not worth the memory that it would have to be read from.
+		m_joints[i].m_isDormant = !wasInStep && !isInStep && !joint.mayHaveSupport();
 		if (joint.m_model.m_state.m_broken)
 			moveToBroken(joint);
 	}

@@ -131,6 +131,15 @@ public:
 	/// Tells that a solver that is not exact has a joint in the substep under way. Threads of a solver call it.
 	void expectUnsure() { m_hasUnsure.store(true, std::memory_order_relaxed); }
 
+	/// Tells that a joint may have a part in the substep under way, or that its user has changed it: it is looked at again when the substep
+	/// ends. Threads of a solver call it for joints of their own.
+	/// \param index  of the joint in its list
+	void rouse(const JointWorks& joint, int index)
+	{
+		if (index < m_joints.getEnd() && m_joints[index].m_joint == &joint)
+			m_joints[index].m_isDormant = false;
+	}
+
 	/// Ends a substep: puts bodies that have gone through inner steps where these have ended, commits every joint, takes broken
 	/// ones out of the world, and tells of events.
 	void commit(btDynamicsWorld& world, btScalar timeStep);
@@ -141,7 +150,8 @@ private:
 		JointWorks* m_joint;
 		btDynamicsWorld* m_world = nullptr;  ///< that a broken joint has left; null: none
 		bool m_disableCollisions = false;    ///< between the joint's bodies, while it holds
-		bool m_hasLeft = false;              ///< a broken joint is in no world that has been stepped since
+		bool m_isDormant = false;  ///< a joint that holds has nothing to end, and will not have until it is roused
+		bool m_hasLeft = false;    ///< a broken joint is in no world that has been stepped since
 		const btBroadphaseProxy* m_proxies[2] = {nullptr, nullptr};  ///< of the joint's bodies when it left
 		int m_uids[2] = {0, 0};                                      ///< of these
 

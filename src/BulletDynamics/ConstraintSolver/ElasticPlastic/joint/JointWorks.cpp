@@ -124,6 +124,7 @@ bool JointWorks::setState(const btElasticPlasticState& state)
 		registry->moveToBroken(*this);
 	m_model.m_state = state;
 	leaveStep();
+	rouse();
 	return true;
 }
 
@@ -154,6 +155,7 @@ void JointWorks::buildJacobian()
 
 int JointWorks::prepare()
 {
+	rouse();
 	m_numUncommitted = m_step.getNumRows() > 0 ? m_numUncommitted + 1 : 0;
 	m_hasBeenInWorld = true;
 	m_request = m_nextRequest;
@@ -398,6 +400,12 @@ btVector3 JointWorks::relativeVelocity() const
 }
 
 void JointWorks::updateDrawnFrames() { m_joint.updateDrawnFrames(); }
+
+void JointWorks::rouse()
+{
+	if (m_entry.m_registry)
+		m_entry.m_registry->rouse(*this, m_entry.m_index);
+}
 
 void JointWorks::wakeBodies()
 {

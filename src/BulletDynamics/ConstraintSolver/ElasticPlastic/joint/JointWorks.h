@@ -56,6 +56,12 @@ public:
 		btElasticPlastic::prefetch(&m_entry, this + 1);
 	}
 
+	/// Has it load what a step uses of a constraint itself: of Bullet's base class, and frames, which come next.
+	static void prefetch(const btTypedConstraint* constraint)
+	{
+		btElasticPlastic::prefetch(constraint, reinterpret_cast<const char*>(constraint + 1) + 2 * sizeof(btTransform));
+	}
+
 	/// Finds the works of a constraint without run-time type information. \return null if it is not elastic-plastic
 	static JointWorks* from(btTypedConstraint* constraint);
 
@@ -135,6 +141,9 @@ public:
 	btVector3 relativeVelocity() const;
 
 	void updateDrawnFrames();
+
+	/// Has an action that knows the joint look at it when the substep ends.
+	void rouse();
 
 	/// Wakes both bodies, if an action knows the joint.
 	void wakeBodies();

@@ -803,6 +803,8 @@ void DirectForm::finish(bool isFree)
 {
 	for (int j = 0; j < m_joints.size(); ++j)
 	{
+		if (j + PREFETCH_AHEAD < m_joints.size())
+			m_joints[j + PREFETCH_AHEAD].m_works->prefetch();
 		const Joint& joint = m_joints[j];
 		joint.m_works->m_step.setFree(isFree);
 		if (m_recovery.hasMotion())

@@ -196,11 +196,14 @@ void EarlyContacts::find(SolverGroup& group, btScalar dt, bool takesBounces, btD
 	const auto mark = [&](int id)
 	{
 		for (int i = 0; i < group.m_numConstraints; ++i)
+		{
+			group.prefetchAfter(i);
 			if (group.m_joints[i])
 				for (btRigidBody* body :
 					 {&group.m_constraints[i]->getRigidBodyA(), &group.m_constraints[i]->getRigidBodyB()})
 					if (!body->isStaticOrKinematicObject())
 						body->setCompanionId(id);
+		}
 	};
 	mark(JOINED);
 	// Bullet's algorithms make manifolds for themselves, and the group's may be in the dispatcher's own array.

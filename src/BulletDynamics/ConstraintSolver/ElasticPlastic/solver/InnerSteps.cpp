@@ -103,6 +103,8 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 	OpenShare open(true);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
+		if (i + PREFETCH_AHEAD < island.m_numConstraints && island.m_joints[i + PREFETCH_AHEAD])
+			island.m_joints[i + PREFETCH_AHEAD]->prefetch();
 		const JointWorks* const works = island.m_joints[i];
 		if (!works || works->m_step.getNumRows() == 0)
 			continue;

@@ -133,7 +133,10 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 		for (int i = 0; i < numConstraints; ++i)
 		{
 			if (i + PREFETCH_AHEAD < numConstraints && m_island.m_joints[i + PREFETCH_AHEAD])
+			{
+				JointWorks::prefetch(constraints[i + PREFETCH_AHEAD]);
 				m_island.m_joints[i + PREFETCH_AHEAD]->prefetch();
+			}
 			JointWorks* const joint = constraints[i]->isEnabled() ? m_island.m_joints[i] : nullptr;
 			if (joint && joint->beginAlone())
 				addToDirect(*joint, info);

@@ -56,6 +56,7 @@ void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegis
 	m_isHeld = false;
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
+		island.prefetchAfter(i);
 		btTypedConstraint& constraint = *island.m_constraints[i];
 		if (!constraint.isEnabled())
 			continue;

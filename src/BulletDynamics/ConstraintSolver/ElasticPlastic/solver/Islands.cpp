@@ -60,8 +60,11 @@ void Islands::findIslands(const SolverGroup& group)
 			group.m_bodies[i]->setCompanionId(i);
 	}
 	for (int i = 0; i < group.m_numConstraints; ++i)
+	{
+		group.prefetchAfter(i);
 		if (group.m_constraints[i]->isEnabled())
 			join(group.m_constraints[i]->getRigidBodyA(), group.m_constraints[i]->getRigidBodyB());
+	}
 	for (int i = 0; i < group.m_numManifolds; ++i)
 		if (group.m_manifolds[i]->getNumContacts() > 0)
 			join(*group.m_manifolds[i]->getBody0(), *group.m_manifolds[i]->getBody1());
@@ -70,6 +73,7 @@ void Islands::findIslands(const SolverGroup& group)
 	m_numIslands = 0;
 	for (int i = 0; i < group.m_numConstraints; ++i)
 	{
+		group.prefetchAfter(i);
 		if (!group.m_joints[i])
 			continue;
 		const btRigidBody& a = group.m_constraints[i]->getRigidBodyA();
@@ -141,6 +145,7 @@ void Islands::split(const SolverGroup& group)
 	m_constraints.m_keys.clear();
 	for (int i = 0; i < group.m_numConstraints; ++i)
 	{
+		group.prefetchAfter(i);
 		const btTypedConstraint& constraint = *group.m_constraints[i];
 		m_constraints.m_keys.push_back(key(constraint.getRigidBodyA(), constraint.getRigidBodyB(),
 										   group.m_joints[i] ? group.m_joints[i]->m_entry.m_index : -1, i));

@@ -7,6 +7,9 @@
 #include <stdint.h>
 #include <vector>
 
+#include "../Prefetch.h"
+#include "BulletDynamics/ConstraintSolver/btTypedConstraint.h"
+
 class btCollisionObject;
 class btPersistentManifold;
 class btTypedConstraint;
@@ -25,6 +28,13 @@ struct SolverGroup
 	btTypedConstraint** m_constraints = nullptr;
 	int m_numConstraints = 0;
 	JointWorks** m_joints = nullptr;  ///< per constraint, null if it is not elastic-plastic
+
+	/// Has the processor load what Bullet's base class holds of a constraint some places further on.
+	void prefetchAfter(int constraint) const
+	{
+		if (constraint + PREFETCH_AHEAD < m_numConstraints)
+			prefetch(m_constraints[constraint + PREFETCH_AHEAD], m_constraints[constraint + PREFETCH_AHEAD] + 1);
+	}
 };
 
 /// Takes a group apart: each island with elastic-plastic joints by itself, all others together.

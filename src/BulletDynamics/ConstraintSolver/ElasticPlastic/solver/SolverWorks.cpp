@@ -120,6 +120,7 @@ bool SolverWorks::findJoints(const SolverGroup& group)
 	m_joints.resizeNoInitialize(group.m_numConstraints);
 	for (int i = 0; i < group.m_numConstraints; ++i)
 	{
+		group.prefetchAfter(i);
 		m_joints[i] = JointWorks::from(group.m_constraints[i]);
 		hasJoints |= m_joints[i] != nullptr;
 	}
