@@ -159,6 +159,62 @@ TEST(Sleep, AnotherCapacityWakesAndTheSameDoesNot)
 	EXPECT_LT(pair.m_b->getCenterOfMassPosition().y(), height - btScalar(0.1));
 }
 
+/// Two free bodies that have slept for a while, so that the end of a step passes over their joint.
+struct AsleepInSpace
+{
+	Pair m_pair;
+	btElasticPlasticJoint* m_joint;
+
+	explicit AsleepInSpace(Solver solver) : m_pair(solver, 12, 12)
+	{
+		m_joint = m_pair.join(thatBreaks(evenCapacity(1e6, 1e3), btScalar(0.01)));
+		allowSleep(m_pair.m_world);
+		run(m_pair.m_world, 3 * 60);
+	}
+
+	bool sleeps() const { return !m_pair.m_a->isActive() && !m_pair.m_b->isActive(); }
+
+	int numEvents(btElasticPlasticEventType type)
+	{
+		int number = 0;
+		for (btElasticPlasticEvent event; m_pair.m_world.action().popEvent(event);)
+			number += event.m_type == type;
+		return number;
+	}
+};
+
+TEST(Sleep, AJointThatHasSleptYieldsAndBreaksOnceStruck)
+{
+	for (Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+	{
+		AsleepInSpace scene(solver);
+		ASSERT_TRUE(scene.sleeps());
+		scene.m_pair.m_b->activate();
+		// 6 kg of both against each other at 20 m/s are 1200 J, for 10 J until it breaks.
+		scene.m_pair.m_b->setLinearVelocity(btVector3(20, 0, 0));
+		run(scene.m_pair.m_world, 10);
+		EXPECT_TRUE(scene.m_joint->isBroken()) << int(solver);
+		EXPECT_EQ(1, scene.numEvents(BT_EP_EVENT_BREAK)) << int(solver);
+		EXPECT_EQ(0, scene.m_pair.m_world.bullet().getNumConstraints());
+	}
+}
+
+TEST(Sleep, AJointThatIsPutBackBrokenLeavesTheWorldThoughItSleeps)
+{
+	AsleepInSpace scene(Solver::Direct);
+	ASSERT_TRUE(scene.sleeps());
+	btElasticPlasticState state = scene.m_joint->getState();
+	state.m_broken = true;
+	ASSERT_TRUE(scene.m_joint->setState(state));
+	run(scene.m_pair.m_world, 1);
+	EXPECT_EQ(0, scene.m_pair.m_world.bullet().getNumConstraints());
+	state.m_broken = false;
+	ASSERT_TRUE(scene.m_joint->setState(state));
+	run(scene.m_pair.m_world, 1);
+	EXPECT_EQ(1, scene.m_pair.m_world.bullet().getNumConstraints());
+	EXPECT_EQ(0, scene.m_pair.m_world.action().getNumBroken());
+}
+
 TEST(Sleep, ARemovedBodyWakesWhatStoodOnItAndWhatItHeld)
 {
 	World world(Solver::Direct);
