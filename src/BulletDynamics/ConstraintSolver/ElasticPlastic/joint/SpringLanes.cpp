@@ -144,7 +144,7 @@ bool SpringLanes::mapElastic(const Lanes& trial, Lanes& force) const
 		force[i] = at(i).springForce(whole[i]);
 	int numBeyond = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		numBeyond += !(btFabs(whole[i]) <= m_yield[i]) | !(m_yield[i] > 0);
+		numBeyond += int(!(btFabs(whole[i]) <= m_yield[i])) + int(!(m_yield[i] > 0));
 	return numBeyond == 0;
 }
 }  // namespace btElasticPlastic
