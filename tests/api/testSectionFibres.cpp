@@ -8,6 +8,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -75,6 +76,22 @@ double deviation(const btElasticPlasticSection& shape, int count)
 							{support(exact, {1, 0, 0}), support(exact, {0, 1, 0}), support(exact, {0, 0, 1})}, 2000);
 }
 
+/// The integral of |q_0 + q_1 z - q_2 y| over a rectangle around the origin.
+double stretchOf(const SectionDirection& q, double width, double height)
+{
+	const auto cube = [](double x) { return std::fabs(x * x * x); };
+	const double n = q[0], a = q[1] * width / 2, b = q[2] * height / 2, least = 1e-4 * (std::fabs(a) + std::fabs(b));
+	// Beside an axis Simpson's rule in place of a difference of nearly equal numbers.
+	if (std::fabs(a) < least || std::fabs(b) < least)
+	{
+		const double slope = std::fabs(a) < least ? b : a, other = std::fabs(a) < least ? a : b;
+		const auto along = [&](double m)
+		{ return ((m + slope) * std::fabs(m + slope) - (m - slope) * std::fabs(m - slope)) / (4 * slope); };
+		return width * height * (along(n - other) + 4 * along(n) + along(n + other)) / 6;
+	}
+	return width * height * (cube(n + a + b) - cube(n + a - b) - cube(n - a + b) + cube(n - a - b)) / (24 * a * b);
+}
+
 struct Shape
 {
 	const char* m_name;
@@ -103,8 +120,41 @@ TEST(SectionFibres, BearWhatTheSectionBearsInAllDirections)
 		EXPECT_LE(deviation(shape.m_section, 60), 0.0115) << shape.m_name;
 		EXPECT_LE(deviation(shape.m_section, 100), 0.0075) << shape.m_name;
 	}
-	EXPECT_LE(deviation(shapes()[0].m_section, 4), 0.245);
-	EXPECT_LE(deviation(shapes()[0].m_section, 8), 0.08);
+	EXPECT_LE(deviation(shapes()[0].m_section, 4), 0.25);
+}
+
+TEST(SectionFibres, OfARectangleMissNothingInAnyDirection)
+{
+	// With the digits in which the tables of btElasticPlasticSectionFibres.cpp say it; as strong in tension as in compression, and half as strong.
+	const struct
+	{
+		int m_count;
+		double m_equal, m_half;
+	} cases[] = {
+		{8, 0.055, 0.0805}, {12, 0.0295, 0.0415}, {16, 0.024, 0.0255}, {36, 0.01, 0.014}, {112, 0.0085, 0.0085}};
+	const double width = 0.1, height = 0.5;
+	for (const auto& c : cases)
+		for (const double share : {1., 0.5})
+		{
+			btElasticPlasticMaterial material = steel();
+			material.m_tensileShare = btScalar(share);
+			const std::vector<SectionCell> fibres = cellsOf(btElasticPlasticCapacity::fromMember(
+				material, btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)).withFibres(c.m_count),
+				1, 1));
+			std::vector<SectionDirection> directions = normalsOf(fibres);
+			std::mt19937 random(1);
+			std::normal_distribution<double> normal;
+			for (int i = 0; i < 5000; ++i)
+				directions.push_back({normal(random), normal(random) * 4 / width, normal(random) * 4 / height});
+			double most = 0;
+			for (const SectionDirection& q : directions)
+			{
+				const double exact = double(YIELD) * ((1 + share) / 2 * stretchOf(q, width, height) -
+													  (1 - share) / 2 * width * height * q[0]);
+				most = std::max(most, std::fabs(support(fibres, q) / exact - 1));
+			}
+			EXPECT_LE(most, share == 1 ? c.m_equal : c.m_half) << c.m_count;
+		}
 }
 
 TEST(SectionFibres, AreAsManyAsAnErrorAsksFor)
@@ -112,7 +162,7 @@ TEST(SectionFibres, AreAsManyAsAnErrorAsksFor)
 	for (const Shape& shape : shapes())
 	{
 		int before = 0;
-		for (const double error : {0.3, 0.1, 0.05, 0.03, 0.0115, 0.0075})
+		for (const double error : {0.3, 0.1, 0.05, 0.03, 0.0115, 0.0085})
 		{
 			const btElasticPlasticSection section = shape.m_section.withFibresFor(btScalar(error));
 			EXPECT_FALSE(section.m_fault);

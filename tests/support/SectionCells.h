@@ -49,4 +49,22 @@ inline double largestDeviation(const std::vector<SectionCell>& cells, const std:
 	return most;
 }
 
+/// The directions in which few cells miss most of what many bear: the normals of what they bear, in which two of them are not stretched.
+inline std::vector<SectionDirection> normalsOf(const std::vector<SectionCell>& cells)
+{
+	std::vector<SectionDirection> normals;
+	for (size_t i = 0; i < cells.size(); ++i)
+		for (size_t k = 0; k < i; ++k)
+		{
+			const SectionCell &a = cells[i], &b = cells[k];
+			// (1, z, -y) of the one by that of the other.
+			const SectionDirection q = {b.y * a.z - a.y * b.z, a.y - b.y, a.z - b.z};
+			if (q == SectionDirection{0, 0, 0})
+				continue;
+			normals.push_back(q);
+			normals.push_back({-q[0], -q[1], -q[2]});
+		}
+	return normals;
+}
+
 #endif  // EP_TEST_SECTION_CELLS_H

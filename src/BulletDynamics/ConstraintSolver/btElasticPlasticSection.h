@@ -88,7 +88,7 @@ struct btElasticPlasticSection
 	/// The same section cut into fibres: in joints with it axial force, bending moments, shears and torsion yield together, as in the section itself,
 	/// instead of each by itself. What it can bear is then right within a few per cent in every direction, and exact
 	/// where only one of them acts; independent yield values allow up to twice that where all act. \see docs/theory.md
-	/// \param count  about how many, 4 to 400; 0: as many as are right within 3 %. A rectangle takes 4 (24 %), 8 (8 %), 12 (4 %), 16 (2.5 %), 36 (1 %) or 112 (0.7 %), a
+	/// \param count  about how many, 4 to 400; 0: as many as are right within 3 %. A rectangle takes 4 (25 %), 8 (5.5 %), 12 (2.9 %), 16 (2.4 %), 36 (1 %) or 112 (0.9 %), a
 	///               circle 14 (3.2 %), 20 (1.8 %), 33 (1.1 %) or 101 (0.4 %), a tube as many as are asked for (20: 0.9 %), another section multiples
 	///               of 4 for each of its parts (an I-section 12: 5.3 %, 24: 1.7 %, 60: 0.7 %; a box 16: 2.8 %, 24: 1.2 %). A polygon takes as many as are
 	///               asked for, 36 by default, and some 100 for 1 %. Each bolt is one.
@@ -99,7 +99,7 @@ struct btElasticPlasticSection
 	btElasticPlasticSection withFibres(int count = 0, bool withShear = true) const;
 
 	/// The same with as few fibres as are right within an error, so that a scene does not pay for what it does not need.
-	/// \param error  largest deviation of what the section bears of axial force and bending together, in any direction, over that, > 0; below 0.007
+	/// \param error  largest deviation of what the section bears of axial force and bending together, in any direction, over that, > 0; below 0.01
 	///               the finest that a rectangle or a circle has. Where one of them rules it counts by its square: an axial
 	///               force of a fifth of what the section bears takes 4 % of a rectangle's moment, so that 0.1 is enough for most frames
 	btElasticPlasticSection withFibresFor(btScalar error, bool withShear = true) const;
