@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "../Prefetch.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
@@ -29,7 +30,7 @@ bool isFree(const btRigidBody& body)
 
 namespace
 {
-btScalar elongationOf(const btElasticPlasticFibre& fibre, const btElasticPlasticFibreState& state,
+btScalar elongationOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
 					  const btScalar strain[BT_EP_DOF_COUNT])
 {
 	return strain[BT_EP_AXIAL] + fibre.m_z * strain[BT_EP_BENDING_Y] - fibre.m_y * strain[BT_EP_BENDING_Z] -
@@ -37,8 +38,27 @@ btScalar elongationOf(const btElasticPlasticFibre& fibre, const btElasticPlastic
 }
 }  // namespace
 
+namespace
+{
+template <class T>
+void prefetchAll(const btAlignedObjectArray<T>& array)
+{
+	if (array.size() > 0)
+		btElasticPlastic::prefetch(&array[0], &array[0] + array.size());
+}
+}  // namespace
+
+void FibreStep::prefetch() const
+{
+	if (m_model.m_bearing.size() == 0)
+		return;
+	btElasticPlastic::prefetch(this, this + 1);
+	prefetchAll(m_model.m_bearing);
+	prefetchAll(m_model.m_state.m_fibres);
+}
+
 /// Without a yield value: a fibre has two. \param damped  null: none
-DofState FibreStep::stateOf(const btElasticPlasticFibre& fibre, const btElasticPlasticFibreState& state,
+DofState FibreStep::stateOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
 							const Damped* damped, btScalar stiffening, const btScalar strain[BT_EP_DOF_COUNT])
 {
 	DofState s = {fibre.m_stiffness, 0, elongationOf(fibre, state, strain), state.m_force, state.m_forceRate, {}};
@@ -53,8 +73,8 @@ DofState FibreStep::stateOf(const btElasticPlasticFibre& fibre, const btElasticP
 
 DofState FibreStep::stateOf(int i, const btScalar strain[BT_EP_DOF_COUNT]) const
 {
-	return stateOf(m_model.m_capacity.m_fibres[i], m_model.m_state.m_fibres[i],
-				   m_damping.isNone() ? nullptr : &m_damped[i], m_damping.getStiffening(), strain);
+	return stateOf(m_model.m_bearing[i], m_model.m_state.m_fibres[i], m_damping.isNone() ? nullptr : &m_damped[i],
+				   m_damping.getStiffening(), strain);
 }
 
 DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const
@@ -72,11 +92,11 @@ void FibreStep::findBranches()
 {
 	if (m_damping.isNone())
 		return;
-	const int n = m_model.m_capacity.m_fibres.size();
+	const int n = m_model.m_bearing.size();
 	if (n == 0)
 		return;
 	m_damped.resize(n);
-	const btElasticPlasticFibre* const fibres = &m_model.m_capacity.m_fibres[0];
+	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
 	const btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
 	Damped* const damped = &m_damped[0];
 	m_compliance = m_model.bearingCompliance([damped](int i, bool bears) { damped[i].m_bore = bears; });
@@ -128,7 +148,7 @@ void FibreStep::findCoupledRows(const JointRows& rows)
 void FibreStep::findResponse(const Motion& motion, btScalar diagonal)
 {
 	double sum[3] = {};
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 		if (!(fibre.m_rateReference > 0))
@@ -233,8 +253,13 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 	Strength strength;
 	static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(i);
 	strength.m_rate = strength.m_rateShare = 0;
+	const btScalar left = m_interaction.getLeft(i);
 	if (fibre.isSteady())
+	{
+		strength.m_tension *= left;
+		strength.m_compression *= left;
 		return strength;
+	}
 	const btScalar* const rates = motion.m_rate;
 	const btScalar rate = rates[BT_EP_AXIAL] + fibre.m_z * rates[BT_EP_BENDING_Y] - fibre.m_y * rates[BT_EP_BENDING_Z];
 	if (fibre.m_rateReference > 0)
@@ -250,24 +275,46 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 			i, btScalar(flowInStep(i, beyond == beyondTension, double(beyond),
 								   double(fibre.m_stiffness) * (1 + double(s.m_stiffening)), double(stronger))));
 	strength.m_tension *= stronger;
+	strength.m_tension *= left;
 	strength.m_compression *= stronger;
+	strength.m_compression *= left;
 	return strength;
+}
+
+/// The same of a fibre that is steady.
+FibreStep::Strength FibreStep::steadyStrength(int i) const
+{
+	const JointModel::BearingFibre& fibre = m_model.m_bearing[i];
+	const btScalar left = m_interaction.getLeft(i);
+	Strength strength;
+	strength.m_tension = left * (m_model.m_state.m_fibres[i].m_isCracked ? btScalar(0) : fibre.m_tension);
+	strength.m_compression = left * fibre.m_compression;
+	strength.m_rate = strength.m_rateShare = 0;
+	return strength;
+}
+
+void FibreStep::findSteadyStrengths()
+{
+	m_strength.resize(m_numFibres);
+	for (int i = 0; i < m_numFibres; ++i)
+		m_strength[i] = steadyStrength(i);
 }
 
 void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& motion, btScalar diagonal, btScalar dt,
 					  JointRows& rows)
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
-	const int n = capacity.m_fibres.size();
+	const int n = m_model.m_bearing.size();
 	m_dt = dt;
-	m_rows.resize(n);
+	m_numFibres = n;
 	m_solution.resize(n, {0, 0});
-	m_strength.resize(n);
-	bool areSteady = true;
-	for (int i = 0; i < n; ++i)
-		areSteady &= capacity.m_fibres[i].isSteady();
-	if (!areSteady)
+	if (rows.m_fibres.size() < n)
+		rows.m_fibres.resize(n);
+	if (!m_model.m_areSteady)
+	{
+		m_strength.resize(n);
 		findResponse(motion, diagonal);
+	}
 	findCoupledRows(rows);
 	findBranches();
 	btScalar a = capacity.m_stiffness[BT_EP_AXIAL] * diagonal;
@@ -276,31 +323,23 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 			btSetMax(a, capacity.m_stiffness[BT_EP_SHEAR_Y + shear] * rows.m_row[m_shearRow[shear]].m_diagonal);
 	a *= dt * dt;
 	const MeanForce scheme = MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
-	const bool isLessened = m_interaction.isAny(), damps = !m_damping.isNone();
+	const bool damps = !m_damping.isNone();
 	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha, stiffening = m_damping.getStiffening(),
 				   perStiffness = perTime / (alpha * (1 + stiffening));
-	const btElasticPlasticFibre* const fibres = n > 0 ? &capacity.m_fibres[0] : nullptr;
+	const JointModel::BearingFibre* const fibres = n > 0 ? &m_model.m_bearing[0] : nullptr;
 	const btElasticPlasticFibreState* const states = n > 0 ? &m_model.m_state.m_fibres[0] : nullptr;
-	const Damped* const allDamped = damps ? &m_damped[0] : nullptr;
+	const Damped* const allDamped = damps && n > 0 ? &m_damped[0] : nullptr;
 	const Solution* const before = n > 0 ? &m_solution[0] : nullptr;
-	Strength* const strengths = n > 0 ? &m_strength[0] : nullptr;
-	JointRows::Fibre* const to = n > 0 ? &m_rows[0] : nullptr;
+	JointRows::Fibre* const to = n > 0 ? &rows.m_fibres[0] : nullptr;
 	for (int i = 0; i < n; ++i)
 	{
-		const btElasticPlasticFibre& fibre = fibres[i];
+		const JointModel::BearingFibre& fibre = fibres[i];
 		const btElasticPlasticFibreState& state = states[i];
 		const DofState s = stateOf(fibre, state, damps ? allDamped + i : nullptr, stiffening, strain);
 		const btScalar known = scheme.known(s, dt), inverse = perStiffness / s.m_stiffness;
-		Strength& strength = strengths[i];
-		if (areSteady && !state.m_isCracked)
-			strength.set(fibre.m_tension, fibre.m_compression);
-		else
-			strength = strengthInStep(i, s, motion);
-		if (isLessened)
-		{
-			strength.m_tension *= m_interaction.getLeft(i);
-			strength.m_compression *= m_interaction.getLeft(i);
-		}
+		const Strength strength = m_model.m_areSteady ? steadyStrength(i) : strengthInStep(i, s, motion);
+		if (!m_model.m_areSteady)
+			m_strength[i] = strength;
 		// As implicitRow(), with two bounds.
 		JointRows::Fibre& row = to[i];
 		const bool holds = !state.isRuptured();
@@ -313,10 +352,9 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		row.m_coupling[0] = row.m_coupling[1] = 0;
 		row.m_bound = before[i].m_bound;
 	}
+	rows.m_numFibres = n;
 	if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
 		couple(strain, scheme, a, rows);
-	rows.m_fibres = n > 0 ? &m_rows[0] : nullptr;
-	rows.m_numFibres = n;
 	rows.m_fibreDiagonal = diagonal;
 	for (int shear = 0; shear < 2; ++shear)
 		rows.m_coupledShear[shear] = m_shearRow[shear];
@@ -333,12 +371,12 @@ void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& 
 		const btScalar known = scheme.known(s, m_dt) + scheme.m_alpha * s.m_carried;
 		SoftRow& soft = rows.m_row[m_shearRow[shear]].m_soft;
 		soft = implicitRow(s, scheme, a, m_dt);
-		for (int i = 0; i < m_rows.size(); ++i)
+		for (int i = 0; i < m_numFibres; ++i)
 		{
 			const btScalar coupling = btScalar(couplingOf(i, shear)) / (scheme.m_alpha * (1 + s.m_stiffening) * m_dt);
 			const DofState fibre = stateOf(i, strain);
-			m_rows[i].m_coupling[shear] = coupling / m_dt;
-			m_rows[i].m_soft.m_velocity += coupling * known;
+			rows.m_fibres[i].m_coupling[shear] = coupling / m_dt;
+			rows.m_fibres[i].m_soft.m_velocity += coupling * known;
 			soft.m_velocity += coupling * (scheme.known(fibre, m_dt) + scheme.m_alpha * fibre.m_carried);
 		}
 	}
@@ -347,8 +385,8 @@ void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& 
 void FibreStep::setSolution(const double* impulses, const signed char* bounds, btScalar resultant[3])
 {
 	SectionForces sum;
-	const int n = m_rows.size();
-	const btElasticPlasticFibre* const fibres = n > 0 ? &m_model.m_capacity.m_fibres[0] : nullptr;
+	const int n = m_numFibres;
+	const JointModel::BearingFibre* const fibres = n > 0 ? &m_model.m_bearing[0] : nullptr;
 	Solution* const solution = n > 0 ? &m_solution[0] : nullptr;
 	for (int i = 0; i < n; ++i)
 	{
@@ -383,35 +421,35 @@ void FibreStep::setLastBounds(const std::vector<signed char>& bounds)
 /// \return whether it was one; if not, nothing has changed
 bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome)
 {
-	const int n = m_rows.size();
+	const int n = m_numFibres;
 	if (n == 0)
 		return false;
-	const bool damps = !m_damping.isNone();
+	const bool damps = !m_damping.isNone(), areSteady = m_model.m_areSteady;
 	const double stiffer = 1 + double(m_damping.getStiffening());
-	const btElasticPlasticFibre* const fibres = &m_model.m_capacity.m_fibres[0];
+	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
 	btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
 	const Damped* const damped = damps ? &m_damped[0] : nullptr;
-	const Strength* const strengths = &m_strength[0];
-	Mapped* const mapped = &m_mapped[0];
+	const auto springOf = [&](int i)
+	{ return double(elongationOf(fibres[i], states[i], trial)) * double(fibres[i].m_stiffness); };
 	for (int i = 0; i < n; ++i)
 	{
-		const double spring = double(elongationOf(fibres[i], states[i], trial)) * double(fibres[i].m_stiffness),
-					 total = damps ? stiffer * spring + double(damped[i].m_carried) : spring;
-		if (states[i].isRuptured() || !(total <= double(strengths[i].m_tension)) ||
-			!(total >= -double(strengths[i].m_compression)) || (damps && !damped[i].m_bore) ||
+		const double spring = springOf(i), total = damps ? stiffer * spring + double(damped[i].m_carried) : spring;
+		const Strength strength = areSteady ? steadyStrength(i) : m_strength[i];
+		if (states[i].isRuptured() || !(total <= double(strength.m_tension)) ||
+			!(total >= -double(strength.m_compression)) || (damps && !damped[i].m_bore) ||
 			(!(spring < 0) && m_model.bearsPressureOnly(i)))
 			return false;
-		mapped[i].m_force = spring;
 	}
 	SectionForces sum, change;
 	const btScalar perTime = 1 / m_dt;
 	for (int i = 0; i < n; ++i)
 	{
 		btElasticPlasticFibreState& state = states[i];
-		const double force = mapped[i].m_force;
+		// Once more in place of memory for it.
+		const double force = springOf(i);
 		const btScalar grown = btScalar(force) - state.m_force;
-		state.m_rate = strengths[i].m_rate;
-		state.m_rateShare = strengths[i].m_rateShare;
+		state.m_rate = areSteady ? btScalar(0) : m_strength[i].m_rate;
+		state.m_rateShare = areSteady ? btScalar(0) : m_strength[i].m_rateShare;
 		state.m_forceRate = grown * perTime;
 		state.m_force = btScalar(force);
 		sum.add(fibres[i], force);
@@ -427,7 +465,7 @@ bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outc
 
 void FibreStep::mapAlone(const btScalar trial[BT_EP_DOF_COUNT])
 {
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 		const DofState s = stateOf(i, trial);
@@ -444,13 +482,13 @@ void FibreStep::mapAlone(const btScalar trial[BT_EP_DOF_COUNT])
 
 void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* const shears[2], Outcome& outcome)
 {
-	m_bundle.m_fibres.resize(size_t(m_rows.size()));
+	m_bundle.m_fibres.resize(size_t(m_numFibres));
 	const double stiffer = 1 + double(m_damping.getStiffening());
 	double carried[2] = {}, turnedByCarried[2] = {};  // of the shears, and by the fibres'
 	for (int s = 0; s < 2; ++s)
 		if (m_shearRow[s] >= 0)
 			carried[s] = double(stateOfShear(s, trial).m_carried);
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 		const bool holds = !m_model.m_state.m_fibres[i].isRuptured();
@@ -486,7 +524,7 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 	const double shear[2] = {(m_bundle.m_shear[0].m_force - carried[0]) / stiffer,
 							 (m_bundle.m_shear[1].m_force - carried[1]) / stiffer};
 	double turned[2] = {};
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const CoupledBundle::Fibre& spring = m_bundle.m_fibres[size_t(i)];
 		const int bound = m_solution[i].m_bound;
@@ -521,7 +559,7 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 			const DofState state = stateOfShear(s, trial);
 			shear[s] = double(state.springForce(state.withinYield(shears[s]->m_impulse / m_dt)));
 		}
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const DofState state = stateOf(i, trial);
 		const btScalar total = btMax(-m_strength[i].m_compression,
@@ -597,7 +635,7 @@ void FibreStep::noteLoss(int i, double share)
 		return own.isRuptured() ? other.isRuptured() : other.isTorn();
 	};
 	for (const int way : {-1, 1})
-		for (int k = i + way; k >= 0 && k < m_rows.size() && fibres[k].isLayerOf(fibres[i]); k += way)
+		for (int k = i + way; k >= 0 && k < m_numFibres && fibres[k].isLayerOf(fibres[i]); k += way)
 			if (!hasGone(k))
 				return;
 	m_losses.push_back({i, m_model.m_state.m_fibres[i].isRuptured(), share});
@@ -608,7 +646,7 @@ void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outco
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
 	double sum[3] = {};
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
 		btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
@@ -645,7 +683,7 @@ void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outco
 void FibreStep::damp(Outcome& outcome)
 {
 	bool isElastic = true;
-	for (int i = 0; i < m_rows.size() && isElastic; ++i)
+	for (int i = 0; i < m_numFibres && isElastic; ++i)
 	{
 		const Mapped& mapped = m_mapped[i];
 		const bool bears = m_model.bears(i), stays = mapped.m_increment == 0 && mapped.m_unloaded == 0;
@@ -654,7 +692,7 @@ void FibreStep::damp(Outcome& outcome)
 	if (!isElastic)
 		return dampEach(outcome);
 	SectionForces change;
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 		change.add(m_model.m_capacity.m_fibres[i], double(m_mapped[i].m_change));
 	dampTogether(change, outcome);
 }
@@ -681,9 +719,9 @@ void FibreStep::dampTogether(const SectionForces& change, Outcome& outcome)
 		grown.add(-1, m_branch[b]);
 	}
 	const btScalar perTime = 1 / m_dt;
-	const btElasticPlasticFibre* const fibres = &m_model.m_capacity.m_fibres[0];
+	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
 	btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
-	for (int i = 0, n = m_rows.size(); i < n; ++i)
+	for (int i = 0, n = m_numFibres; i < n; ++i)
 		if (m_damped[i].m_bore)
 			states[i].m_forceRate += btScalar(grown.at(fibres[i]) * double(fibres[i].m_stiffness)) * perTime;
 }
@@ -691,7 +729,7 @@ void FibreStep::dampTogether(const SectionForces& change, Outcome& outcome)
 void FibreStep::dampEach(Outcome& outcome)
 {
 	double squares[MaterialDamping::BRANCHES] = {};
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 		const double stiffness = fibre.m_stiffness;
@@ -722,11 +760,11 @@ void FibreStep::dampEach(Outcome& outcome)
 /// Ruptures what is left of a section that gapes wider throughout than its fibres stretch.
 void FibreStep::tearApart(Outcome& outcome)
 {
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 		if (!m_model.m_state.m_fibres[i].isRuptured() &&
 			!(isOpen(i) && m_mapped[i].m_increment > double(m_model.m_capacity.m_fibres[i].m_stretchLimit)))
 			return;
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
 		if (state.isRuptured())
@@ -744,7 +782,7 @@ void FibreStep::takeMean(btScalar mean[3])
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
 	SectionStiffness section;
 	SectionForces sum;
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
 		const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
@@ -755,7 +793,7 @@ void FibreStep::takeMean(btScalar mean[3])
 		sum.add(fibre, weight * offset);
 	}
 	const SectionPlane plane = section.invert().of(sum);
-	for (int i = 0; i < m_rows.size(); ++i)
+	for (int i = 0; i < m_numFibres; ++i)
 		m_model.m_state.m_fibres[i].m_offset -= btScalar(plane.at(capacity.m_fibres[i]));
 	mean[0] = btScalar(plane.m_elongation);
 	mean[1] = btScalar(plane.m_turnY);
@@ -781,10 +819,12 @@ FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], cons
 									 bool isCut)
 {
 	Outcome outcome;
-	m_mapped.resize(m_rows.size());
 	const bool isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
 	if (isCut || isCoupled || !takeElastic(trial, outcome))
 	{
+		m_mapped.resize(m_numFibres);
+		if (m_model.m_areSteady)
+			findSteadyStrengths();
 		if (isCut)
 			mapCut(trial, shears, outcome);
 		else if (isCoupled)

@@ -32,6 +32,9 @@ public:
 	/// \param damping  that of the step
 	FibreStep(JointModel& model, const MaterialDamping& damping) : m_model(model), m_damping(damping) {}
 
+	/// Has the processor load what a step uses of the fibres, whose memory lies elsewhere.
+	void prefetch() const;
+
 	/// How the step begins.
 	struct Motion
 	{
@@ -124,7 +127,7 @@ private:
 		btScalar m_change;  ///< of the spring's force in the step, once its state is taken
 	};
 
-	static DofState stateOf(const btElasticPlasticFibre& fibre, const btElasticPlasticFibreState& state,
+	static DofState stateOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
 							const Damped* damped, btScalar stiffening, const btScalar strain[BT_EP_DOF_COUNT]);
 	DofState stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	DofState stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const;
@@ -139,20 +142,14 @@ private:
 	struct Strength : JointModel::FibreStrength
 	{
 		btScalar m_rate, m_rateShare;  ///< see btElasticPlasticFibreState
-
-		/// Of a fibre that knows no rate.
-		void set(btScalar tension, btScalar compression)
-		{
-			m_tension = tension;
-			m_compression = compression;
-			m_rate = m_rateShare = 0;
-		}
 	};
 
 	void findResponse(const Motion& motion, btScalar diagonal);
 	double rateShareInStep(int fibre, double force, double rate, const JointModel::FibreStrength& strength) const;
 	double flowInStep(int fibre, bool isPulled, double beyond, double stiffness, double stronger) const;
 	Strength strengthInStep(int fibre, const DofState& s, const Motion& motion) const;
+	Strength steadyStrength(int fibre) const;
+	void findSteadyStrengths();
 	bool isOpen(int fibre) const { return m_mapped[fibre].m_increment > 0 && m_model.bearsPressureOnly(fibre); }
 	double flowForce(int fibre) const;
 	void flow(int fibre, double force, double increment, Outcome& outcome);
@@ -172,8 +169,8 @@ private:
 	btAlignedObjectArray<Damped> m_damped;
 	btScalar m_dt = 0;
 	int m_shearRow[2] = {-1, -1};  ///< of the joint's rows that are coupled with the fibres, -1: none
-	btAlignedObjectArray<JointRows::Fibre> m_rows;
-	btAlignedObjectArray<Strength> m_strength;  ///< for the step
+	int m_numFibres = 0;
+	btAlignedObjectArray<Strength> m_strength;  ///< for the step; not made of fibres that are steady until one flows
 	double m_response[3];                       ///< of elongation and turns to strength, see findResponse()
 	btAlignedObjectArray<Solution> m_solution;
 	btAlignedObjectArray<Mapped> m_mapped;

@@ -278,8 +278,15 @@ void JointModel::setCapacity(const btElasticPlasticCapacity& capacity)
 {
 	m_capacity = capacity;
 	SectionStiffness section;
+	m_bearing.resize(m_capacity.m_fibres.size());
+	m_areSteady = true;
 	for (int i = 0; i < m_capacity.m_fibres.size(); ++i)
-		section.add(m_capacity.m_fibres[i], double(m_capacity.m_fibres[i].m_stiffness));
+	{
+		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
+		section.add(fibre, double(fibre.m_stiffness));
+		m_bearing[i] = {fibre.m_y, fibre.m_z, fibre.m_stiffness, fibre.m_tension, fibre.m_compression};
+		m_areSteady &= fibre.isSteady();
+	}
 	m_wholeCompliance = section.invert();
 }
 

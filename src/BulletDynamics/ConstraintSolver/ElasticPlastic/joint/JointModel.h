@@ -154,6 +154,14 @@ struct JointModel
 	/// Whether fibres stand for the axial force and the bending moments, for a solver that knows them.
 	bool usesFibres() const { return m_capacity.hasFibres() && !m_isPaper && !m_fault; }
 
+	/// What an elastic step asks of a fibre, close together: of thousands of joints the processor loads it anew in each pass over them.
+	struct BearingFibre
+	{
+		btScalar m_y, m_z, m_stiffness, m_tension, m_compression;
+	};
+	btAlignedObjectArray<BearingFibre> m_bearing;
+	bool m_areSteady = true;  ///< all of them, see btElasticPlasticFibre::isSteady()
+
 	/// What a fibre at rest bears in tension and in compression as it is now, and with so much more plastic path [N].
 	struct FibreStrength
 	{
@@ -164,7 +172,7 @@ struct JointModel
 	/// Whether a fibre opens without a force.
 	bool bearsPressureOnly(int fibre) const
 	{
-		return m_capacity.m_fibres[fibre].m_tension == 0 || m_state.m_fibres[fibre].m_isCracked;
+		return m_bearing[fibre].m_tension == 0 || m_state.m_fibres[fibre].m_isCracked;
 	}
 
 	/// Whether a fibre has a part in what the section bears: neither ruptured nor open.

@@ -37,9 +37,9 @@ struct JointRows
 	Row m_row[BT_EP_DOF_COUNT];
 	TensionDamping m_damping;
 	int m_numFibres = 0;
-	const Fibre* m_fibres = nullptr;   ///< kept by the joint's step
-	btScalar m_fibreDiagonal = 0;      ///< A of the axial row
-	int m_coupledShear[2] = {-1, -1};  ///< rows that are coupled with the fibres, -1: none
+	btAlignedObjectArray<Fibre> m_fibres;  ///< m_numFibres of them count: the memory serves joint after joint
+	btScalar m_fibreDiagonal = 0;          ///< A of the axial row
+	int m_coupledShear[2] = {-1, -1};      ///< rows that are coupled with the fibres, -1: none
 };
 }  // namespace btElasticPlastic
 

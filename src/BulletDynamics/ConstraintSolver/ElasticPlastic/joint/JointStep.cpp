@@ -314,6 +314,8 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		m_fibres.beginShear(motion, dt);
 	}
 	rows.m_numRows = getNumPlainRows();
+	rows.m_numFibres = 0;
+	rows.m_coupledShear[0] = rows.m_coupledShear[1] = -1;
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		JointRows::Row& row = rows.m_row[r];

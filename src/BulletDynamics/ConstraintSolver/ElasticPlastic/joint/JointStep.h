@@ -149,6 +149,8 @@ public:
 	/// What a joint without fibres uses of the step ends here.
 	const void* getEndWithoutFibres() const { return &m_fibres; }
 
+	const FibreStep& getFibres() const { return m_fibres; }
+
 	/// Forgets the step: the state stays as it was committed last.
 	void revert() { m_numRows = 0; }
 

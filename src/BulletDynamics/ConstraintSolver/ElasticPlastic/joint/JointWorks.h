@@ -62,6 +62,9 @@ public:
 		btElasticPlastic::prefetch(constraint, reinterpret_cast<const char*>(constraint + 1) + 2 * sizeof(btTransform));
 	}
 
+	/// The same of its fibres, which tell where they are once the joint itself has been loaded.
+	void prefetchFibres() const { m_step.getFibres().prefetch(); }
+
 	/// Finds the works of a constraint without run-time type information. \return null if it is not elastic-plastic
 	static JointWorks* from(btTypedConstraint* constraint);
 

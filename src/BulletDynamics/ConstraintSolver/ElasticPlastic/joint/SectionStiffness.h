@@ -13,7 +13,9 @@ struct SectionPlane
 {
 	double m_elongation = 0, m_turnY = 0, m_turnZ = 0;
 
-	double at(const btElasticPlasticFibre& fibre) const
+	/// \param fibre  whatever has a place in the section
+	template <class Fibre>
+	double at(const Fibre& fibre) const
 	{
 		return m_elongation + double(fibre.m_z) * m_turnY - double(fibre.m_y) * m_turnZ;
 	}
@@ -30,7 +32,8 @@ struct SectionForces
 {
 	double m_axial = 0, m_momentY = 0, m_momentZ = 0;
 
-	void add(const btElasticPlasticFibre& fibre, double force)
+	template <class Fibre>
+	void add(const Fibre& fibre, double force)
 	{
 		m_axial += force;
 		m_momentY += double(fibre.m_z) * force;

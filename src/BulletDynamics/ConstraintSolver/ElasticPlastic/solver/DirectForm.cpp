@@ -806,6 +806,8 @@ void DirectForm::finish(bool isFree)
 		if (j + PREFETCH_AHEAD < m_joints.size())
 			m_joints[j + PREFETCH_AHEAD].m_works->prefetch();
 		const Joint& joint = m_joints[j];
+		if (j + 1 < m_joints.size())
+			m_joints[j + 1].m_works->prefetchFibres();
 		joint.m_works->m_step.setFree(isFree);
 		if (m_recovery.hasMotion())
 			giveRecovery(joint);

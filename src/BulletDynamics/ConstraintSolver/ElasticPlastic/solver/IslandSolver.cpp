@@ -137,6 +137,8 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 				JointWorks::prefetch(constraints[i + PREFETCH_AHEAD]);
 				m_island.m_joints[i + PREFETCH_AHEAD]->prefetch();
 			}
+			if (i + 1 < numConstraints && m_island.m_joints[i + 1])
+				m_island.m_joints[i + 1]->prefetchFibres();
 			JointWorks* const joint = constraints[i]->isEnabled() ? m_island.m_joints[i] : nullptr;
 			if (joint && joint->beginAlone())
 				addToDirect(*joint, info);
@@ -156,12 +158,11 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 
 void IslandSolver::addToDirect(JointWorks& joint, const btContactSolverInfo& info)
 {
-	JointRows rows;
-	if (!joint.m_step.begin(info.m_timeStep, info.m_erp, m_share, rows))
+	if (!joint.m_step.begin(info.m_timeStep, info.m_erp, m_share, m_rows))
 		return;
 	const int solverBodies[2] = {getOrInitSolverBody(joint.m_model.bodyA(), info.m_timeStep),
 								 getOrInitSolverBody(joint.m_model.bodyB(), info.m_timeStep)};
-	m_direct.addJoint(joint, rows, solverBodies, pools());
+	m_direct.addJoint(joint, m_rows, solverBodies, pools());
 }
 
 void IslandSolver::convertForIterative(btTypedConstraint** constraints, int numConstraints,

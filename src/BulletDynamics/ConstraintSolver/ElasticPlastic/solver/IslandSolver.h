@@ -57,6 +57,7 @@ private:
 	btElasticPlasticSolverSettings m_settings;
 	btElasticPlasticStatistics m_statistics;
 	DirectForm m_direct;
+	JointRows m_rows;  ///< of one joint after another
 	IterativeForm m_iterative;
 	InnerSteps m_inner;
 	SolverGroup m_island;                   ///< at work
