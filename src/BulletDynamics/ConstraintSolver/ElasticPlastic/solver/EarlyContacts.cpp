@@ -23,8 +23,12 @@ namespace
 {
 /// What comes closer or goes deeper by less than this in a step is found by Bullet soon enough [m].
 const btScalar LEAST_WAY = btScalar(0.005);
+/// Bodies that are nearer than this touch, to Bullet's conservative advancement [m].
+const btScalar TOUCH = btScalar(0.001);
 /// How far bodies are moved beyond where they meet, so that detectors that know penetration only find all of a face's points [m].
 const btScalar INTO = btScalar(0.003);
+/// The cosine of what normals of the same face differ by, at most.
+const btScalar SAME_FACE = btScalar(0.9);
 /// The companion id of a body with an elastic-plastic joint, while contacts are found. Bullet does not use it between two solutions, but
 /// that what is static has -2, and -1 is what has none.
 const int JOINED = -3;
@@ -144,12 +148,53 @@ void detect(const Way ways[2], btPersistentManifold& manifold, btDispatcher& dis
 	dispatcher.freeCollisionAlgorithm(algorithm);
 }
 
+/// Puts a point that was found elsewhere to where the bodies are.
+void findPlace(const Way ways[2], btManifoldPoint& point)
+{
+	point.m_positionWorldOnA = ways[0].m_now(point.m_localPointA);
+	point.m_positionWorldOnB = ways[1].m_now(point.m_localPointB);
+	point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
+}
+
 bool isCandidate(const btPersistentManifold& manifold, bool takesBounces)
 {
 	const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-	return manifold.getNumContacts() == 0 && (a.getCompanionId() == JOINED || b.getCompanionId() == JOINED) &&
-		   a.getCollisionShape()->isConvex() && b.getCollisionShape()->isConvex() &&
-		   (takesBounces || a.getRestitution() * b.getRestitution() == 0);
+	return manifold.getNumContacts() < MANIFOLD_CACHE_SIZE &&
+		   (a.getCompanionId() == JOINED || b.getCompanionId() == JOINED) && a.getCollisionShape()->isConvex() &&
+		   b.getCollisionShape()->isConvex() && (takesBounces || a.getRestitution() * b.getRestitution() == 0);
+}
+
+/// Where a pair touches at an edge or a corner, the rest of the face may follow as it turns: adds the points of the same face that are no further apart than the
+/// bodies go.
+void addRestOfFace(const Way ways[2], btScalar length, btPersistentManifold& manifold, btDispatcher& dispatcher)
+{
+	const btVector3 normal = manifold.getContactPoint(0).m_normalWorldOnB;
+	const auto isOfFace = [&](const btManifoldPoint& point) { return point.m_normalWorldOnB.dot(normal) > SAME_FACE; };
+	for (btScalar reach = length; reach > LEAST_WAY; reach /= 4)
+	{
+		btPersistentManifold face(&ways[0].m_object, &ways[1].m_object, 0, manifold.getContactBreakingThreshold(),
+								  manifold.getContactProcessingThreshold());
+		btTransform nearer = ways[0].m_now;
+		nearer.setOrigin(nearer.getOrigin() - normal * reach);
+		ways[0].m_object.setWorldTransform(nearer);
+		detect(ways, face, dispatcher);
+		ways[0].goBack();
+		bool isAny = false;
+		for (int i = 0; i < face.getNumContacts(); ++i)
+		{
+			btManifoldPoint& point = face.getContactPoint(i);
+			if (!isOfFace(point))
+				continue;
+			isAny = true;
+			findPlace(ways, point);
+			if (point.m_distance1 > 0 && manifold.getNumContacts() < MANIFOLD_CACHE_SIZE &&
+				manifold.getCacheEntry(point) < 0)
+				manifold.addManifoldPoint(point);
+		}
+		// Too near, bodies lie in each other along another normal.
+		if (isAny)
+			return;
+	}
 }
 
 void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& dispatcher)
@@ -162,10 +207,15 @@ void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& disp
 		return;
 	for (Way& way : ways)
 		way.findEnds();
+	if (manifold.getNumContacts() > 0)
+	{
+		addRestOfFace(ways, length, manifold, dispatcher);
+		return;
+	}
 	if (staysBeside(ways[0], ways[1]) || staysBeside(ways[1], ways[0]))
 		return;
 	const btScalar share = shareAtMeeting(ways);
-	if (!(share > 0 && share < 1))
+	if (!(share < 1))
 		return;
 	// Further where the bodies move along each other rather than into each other.
 	for (btScalar into = INTO / length; manifold.getNumContacts() == 0 && share + into < 1 + INTO / length; into *= 4)
@@ -176,14 +226,14 @@ void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& disp
 	}
 	for (const Way& way : ways)
 		way.goBack();
+	// What touches as the step begins has no points yet where its detector knows penetration only.
+	const btScalar least = share > 0 ? btScalar(0) : -TOUCH;
 	bool isAhead = true;
 	for (int i = 0; i < manifold.getNumContacts(); ++i)
 	{
 		btManifoldPoint& point = manifold.getContactPoint(i);
-		point.m_positionWorldOnA = ways[0].m_now(point.m_localPointA);
-		point.m_positionWorldOnB = ways[1].m_now(point.m_localPointB);
-		point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
-		isAhead &= point.m_distance1 >= 0;
+		findPlace(ways, point);
+		isAhead &= point.m_distance1 >= least;
 	}
 	// Bodies that do not touch yet, but lie in each other along the normal, do not come together that way: an edge passes by a face.
 	if (!isAhead)

@@ -60,15 +60,18 @@ private:
 		btElasticPlasticStatistics& m_statistics;
 		Solution& m_solution;
 		long long m_workBefore;
-		int m_numSolutions;
+		int m_numSolutions;  ///< of the present attempt
 		int m_maxLevel;
 		InnerRhythm m_rhythm;  ///< before the step
 		double m_blow;         ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
+		/// When the present attempt began.
+		long long m_workAtBegin, m_factorsAtBegin;
+
+		double getWorkOfAttempt() const { return double(m_statistics.m_work - m_workAtBegin); }
 
 		long long getWork() const { return m_statistics.m_work - m_workBefore; }
 		/// Of the island's bound; an eighth of it is for what solutions take beyond theirs: each does at least one factorisation.
 		long long getWorkLeft() const { return m_settings.m_maxWork - m_settings.m_maxWork / 8 - getWork(); }
-		long long getMeanWork() const { return getWork() / m_numSolutions; }
 	};
 
 	/// To solve the step at a level.
@@ -78,16 +81,19 @@ private:
 		double m_doubted;               ///< with what may be rounding
 		double m_power, m_yieldEnergy;  ///< the largest of OpenShare's [W], [J]
 		bool m_flows;                   ///< something has flowed
+		bool m_isStruck;                ///< a blow has come within a step that is too long for any
 		bool m_isLong;                  ///< more has been left open than is allowed, whether it counts or not
 		int m_next;  ///< the level at which the island goes back and begins again; the same one: it is solved
 	};
 
+	bool isStruck(const Task& task, int level) const;
 	void take(Task& task, const JointRegistry& registry);
 	Attempt solveWhole(Task& task);
 	Attempt solveInner(Task& task, int level);
-	int mostLevel(const Task& task, int level) const;
+	double expectWork(const Task& task, int from, int level) const;
+	int mostLevel(const Task& task, int from, int level) const;
 	bool isTooMuch(const Task& task, int level) const;
-	int refine(Task& task, int level, double share) const;
+	int refine(const Task& task, int level, const Attempt& attempt) const;
 	bool isRinging(const Task& task, const Attempt& attempt) const;
 	void findNext(Task& task, int level, Attempt& attempt) const;
 	static void limit(Attempt& attempt, double error);

@@ -239,13 +239,7 @@ bool IslandState::isJoinedShiftSmall(const SolverGroup& island, btScalar h)
 {
 	if (!findJoinedShift(island, h))
 		return true;
-	double energy = 0;
-	for (int i = 0; i < m_bodies.size(); ++i)
-	{
-		const btRigidBody& body = *m_bodies[i].m_body;
-		energy += kineticEnergy(body, body.getWorldTransform().getBasis(), body.getLinearVelocity(),
-								body.getAngularVelocity());
-	}
+	double energy = getKineticEnergy();
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
 			energy += island.m_joints[i]->m_model.springEnergy();
@@ -308,6 +302,43 @@ double IslandState::getEnergyOfBlow() const
 			btSetMax(most, 0.5 * double(approach) * double(approach) / inverseMass);
 	}
 	return most;
+}
+
+double IslandState::getKineticEnergy() const
+{
+	double energy = 0;
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		const btRigidBody& body = *m_bodies[i].m_body;
+		energy += kineticEnergy(body, body.getWorldTransform().getBasis(), body.getLinearVelocity(),
+								body.getAngularVelocity());
+	}
+	return energy;
+}
+
+double IslandState::getTaken() const
+{
+	double taken = 0;
+	for (int i = 0; i < m_points.size(); ++i)
+	{
+		const Point& point = m_points[i];
+		if (!(point.m_point->m_appliedImpulse > 0))
+			continue;
+		const btVector3 places[2] = {point.m_point->m_positionWorldOnA, point.m_point->m_positionWorldOnB};
+		btVector3 change(0, 0, 0);
+		for (int side = 0; side < 2; ++side)
+			if (point.m_bodies[side] >= 0)
+			{
+				const Body& body = m_bodies[point.m_bodies[side]];
+				const btVector3 gained =
+					body.m_body->getLinearVelocity() - body.m_velocity +
+					(body.m_body->getAngularVelocity() - body.m_spin).cross(places[side] - body.m_place);
+				change += side == 1 ? gained : -gained;
+			}
+		const btScalar after = approachOf(point), before = after - change.dot(point.m_point->m_normalWorldOnB);
+		taken += double(point.m_point->m_appliedImpulse) * double(before + after) / 2;
+	}
+	return btMax(taken, 0.);
 }
 
 void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)

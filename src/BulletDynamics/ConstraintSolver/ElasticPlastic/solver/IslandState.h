@@ -52,6 +52,12 @@ public:
 	/// The most that a contact takes to stop what closes at the beginning of the step, if it meets within the step: by the bodies' masses [J].
 	double getEnergyOfBlow() const;
 
+	/// What contacts have taken from the bodies along their normals in the step or inner step that has been solved last, before bodies are moved [J].
+	double getTaken() const;
+
+	/// Of the bodies as they move now [J].
+	double getKineticEnergy() const;
+
 	/// Before an inner step of h [s] is solved: contact points are where bodies have carried them. Normals stay as they were found.
 	/// What is to bounce does nothing until it touches: Bullet's row would bounce it off the gap, with what speed the gap leaves.
 	/// \param end         of the inner step, from the beginning [s]; kinematic bodies are put there
