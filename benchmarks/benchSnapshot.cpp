@@ -20,7 +20,7 @@ void Snapshot(benchmark::State& state)
 	StiffStructure::Settings settings;
 	settings.shape = StiffStructure::Shape::Wall;
 	settings.size = int(state.range(0));
-	settings.collapsing = true;
+	settings.collapsing = state.range(1) != 0;
 	StiffStructure structure(settings);
 	World& world = structure.world();
 	auto& broadphase = static_cast<btDbvtBroadphase&>(*world.bullet().getBroadphase());
@@ -33,7 +33,7 @@ void Snapshot(benchmark::State& state)
 	for (int i = 0; i < 5; ++i)
 		structure.step();
 	save();
-	std::vector<double> steps, saves;
+	std::vector<double> steps, saves, restores;
 	for (auto _ : state)
 	{
 		auto begin = std::chrono::steady_clock::now();
@@ -44,14 +44,17 @@ void Snapshot(benchmark::State& state)
 		begin = std::chrono::steady_clock::now();
 		if (btElasticPlasticRestore(world.bullet(), broadphase, world.action(), bytes.data(), int(bytes.size())))
 			state.SkipWithError("The snapshot is refused");
-		state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+		restores.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+		state.SetIterationTime(restores.back());
 		structure.step();
 	}
 	state.counters["joints"] = structure.joints();
 	state.counters["bytes/joint"] = double(bytes.size()) / structure.joints();
 	state.counters["step_us"] = 1e6 * medianOf(steps);
 	state.counters["save_us"] = 1e6 * medianOf(saves);
+	// Of a game that saves in each step and goes back by eight.
+	state.counters["rollback_steps"] = (8 * medianOf(saves) + medianOf(restores)) / medianOf(steps);
 }
 
-BENCHMARK(Snapshot)->Arg(16)->Iterations(50)->UseManualTime()->Unit(benchmark::kMicrosecond);
+BENCHMARK(Snapshot)->Args({16, 0})->Args({16, 1})->Iterations(50)->UseManualTime()->Unit(benchmark::kMicrosecond);
 }  // namespace

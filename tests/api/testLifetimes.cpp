@@ -444,6 +444,30 @@ TEST(Lifetimes, AListenerMayDeleteTheAction)
 		}
 }
 
+TEST(Lifetimes, AListenerMayDeleteTheActionWhileAStepControlSteps)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Diary diary;
+		Parts scene(solver);
+		diary.m_atBreak = [&scene] { scene.deleteAction(); };
+		scene.m_action->setListener(&diary);
+		scene.row(4, btScalar(0.5), weak());
+		btElasticPlasticStepControl control;
+		const btScalar erp = scene.m_world->getSolverInfo().m_erp2;
+		testing::internal::CaptureStderr();
+		for (int i = 0; i < 20 && scene.m_action; ++i)
+			EXPECT_GT(control.step(*scene.m_world, *scene.m_action, FRAME), 0);
+		testing::internal::GetCapturedStderr();
+		EXPECT_EQ(1u, diary.m_broken.size());
+		EXPECT_FALSE(scene.m_action);
+		// What is scaled for substeps is given back.
+		EXPECT_EQ(erp, scene.m_world->getSolverInfo().m_erp2);
+		for (const auto& body : scene.m_bodies)
+			EXPECT_TRUE(isFinite(*body));
+	}
+}
+
 TEST(Lifetimes, AListenerMayDeleteJoints)
 {
 	for (Solver solver : SOLVERS)

@@ -452,6 +452,22 @@ uint16_t numberAt(const Bytes& bytes, size_t place)
 	return number;
 }
 
+TEST(Snapshot, IsRefusedWhereTheBroadphaseHoldsWhatIsNoObjectOfTheWorld)
+{
+	Collapse scene(Solver::Direct);
+	scene.run(3);
+	const Bytes bytes = save(scene.m_world);
+	btDbvtBroadphase& broadphase = broadphaseOf(scene.m_world);
+	const btVector3 corner(1, 1, 1);
+	btBroadphaseProxy* const foreign = broadphase.createProxy(-corner, corner, BOX_SHAPE_PROXYTYPE, nullptr, 0, 0,
+															  scene.m_world.bullet().getDispatcher());
+	EXPECT_EQ(0, btElasticPlasticSave(scene.m_world.bullet(), broadphase, scene.m_world.action(), nullptr, 0));
+	const btElasticPlasticFault fault = restore(scene.m_world, bytes);
+	EXPECT_EQ(1, fault.m_value);
+	broadphase.destroyProxy(foreign, scene.m_world.bullet().getDispatcher());
+	EXPECT_FALSE(restore(scene.m_world, bytes));
+}
+
 TEST(Snapshot, OfAnotherVersionOrPrecisionIsRefused)
 {
 	Collapse scene(Solver::Direct);
@@ -484,7 +500,7 @@ TEST(Snapshot, OfAnotherVersionOrPrecisionIsRefused)
 TEST(Snapshot, HasANewVersionForANewLayout)
 {
 	Collapse scene(Solver::Direct);
-	EXPECT_EQ(10, numberAt(save(scene.m_world), VERSION_AT));
+	EXPECT_EQ(11, numberAt(save(scene.m_world), VERSION_AT));
 	const uint64_t layout = sizeof(btScalar) == sizeof(double) ? 13650333929052299262u : 7905814435096339790u;
 	EXPECT_EQ(layout, btElasticPlastic::layoutOf<btElasticPlastic::WorldImage>());
 }

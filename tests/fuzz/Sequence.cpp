@@ -822,7 +822,10 @@ void Sequence::onBreak(const btElasticPlasticEvent& event)
 	// The event may have waited in the queue until the joint's body was gone.
 	const bool isOrphan = std::any_of(m_joints.begin(), m_joints.end(),
 									  [&event](const Joint& j) { return j.m_joint == event.m_joint && j.m_isOrphan; });
-	if (m_chance.oneIn(3) && !isOrphan)
+	// Counted, not drawn: what seeds draw stays what it was.
+	if (++m_numTold % 8 == 0)
+		replaceAction();
+	else if (m_chance.oneIn(3) && !isOrphan)
 		m_action->repair(event.m_joint);
 	else if (m_chance.oneIn(2))
 		deleteJoint();

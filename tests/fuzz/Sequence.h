@@ -134,6 +134,7 @@ private:
 	std::vector<Joint> m_joints;
 	std::set<const btElasticPlasticJoint*> m_known;  ///< to the action
 	bool m_deletesInListener = false;
+	int m_numTold = 0;  ///< breaks at which the listener has done something
 	bool m_hasTwin = true;
 	std::vector<unsigned char> m_snapshot;  ///< empty: none
 	std::string m_complaint;

@@ -182,9 +182,12 @@ TEST(WorkBound, HoldsForBoxesInOnePlace)
 	EXPECT_LT(mostWorkOfPile(BT_EP_CONTACTS_BY_ISLAND, 200, 0), 200000);
 	EXPECT_LT(mostWorkOfPile(BT_EP_CONTACTS_BY_ISLAND, 200, 0, Solver::Direct), 200000);
 	// Solved with the joints they are the most of it. A factorisation and a solution are done in any case.
-	const long long least = mostWorkOfPile(BT_EP_EXACT_CONTACTS, 24, 1), bound = 4 * least;
-	// A loop of the contacts begins with these, and makes a first step of the search without knowing what it takes.
-	EXPECT_LT(mostWorkOfPile(BT_EP_EXACT_CONTACTS, 24, bound), bound + 2 * least);
+	for (const int numBoxes : {24, 100})
+	{
+		const long long least = mostWorkOfPile(BT_EP_EXACT_CONTACTS, numBoxes, 1), bound = 4 * least;
+		// A loop of the contacts begins with these, and makes a first step of the search without knowing what it takes.
+		EXPECT_LT(mostWorkOfPile(BT_EP_EXACT_CONTACTS, numBoxes, bound), bound + 2 * least) << numBoxes;
+	}
 }
 
 TEST(WorkBound, GivesTheSameBitsAgain)

@@ -25,6 +25,12 @@ public:
 		add(std::is_floating_point<T>::value ? 'f' : std::is_signed<T>::value ? 'i' : 'u');
 		add(sizeof(T));
 	}
+	template <class T, size_t N>
+	std::enable_if_t<std::is_arithmetic<T>::value> operator()(T (&values)[N])
+	{
+		for (T& value : values)
+			(*this)(value);
+	}
 	void operator()(bool& value)
 	{
 		add('b');

@@ -116,6 +116,7 @@ public:
 
 private:
 	friend class btElasticPlastic::Snapshot;
+	friend class btElasticPlasticStepControl;
 
 	btElasticPlastic::JointRegistry* const m_registry;
 	btElasticPlasticDrawing m_drawing;

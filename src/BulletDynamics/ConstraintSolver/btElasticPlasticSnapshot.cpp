@@ -17,10 +17,16 @@ namespace
 struct Header
 {
 	uint32_t m_sign = 0x53504542;  ///< reversed where the order of bytes is
-	uint16_t m_version = 10;
+	uint16_t m_version = 11;
 	uint16_t m_precision = sizeof(btScalar);
 	uint64_t m_checksum = 0;  ///< of what follows
 };
+
+/// What somebody else has put into a broadphase is neither saved nor put back.
+int countOthers(const btDiscreteDynamicsWorld& world, const btDbvtBroadphase& broadphase)
+{
+	return broadphase.m_sets[0].m_leaves + broadphase.m_sets[1].m_leaves - world.getNumCollisionObjects();
+}
 
 const char* const WHOLE = "that of a whole snapshot of this version and precision";
 }  // namespace
@@ -28,15 +34,14 @@ const char* const WHOLE = "that of a whole snapshot of this version and precisio
 int btElasticPlasticSave(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase, btElasticPlasticAction& action,
 						 void* buffer, int capacity, btElasticPlasticOwnPrecision)
 {
-	if (world.getBroadphase() != &broadphase)
+	if (world.getBroadphase() != &broadphase || countOthers(world, broadphase) != 0)
 		return 0;
 	Snapshot snapshot(world, broadphase, action);
-	WorldImage image = snapshot.read();
 	Header header;
 	const size_t room = buffer && capacity > int(sizeof header) ? size_t(capacity) - sizeof header : 0;
 	unsigned char* const values = room > 0 ? static_cast<unsigned char*>(buffer) + sizeof header : nullptr;
 	Writer writer(values, room);
-	transfer(writer, image);
+	snapshot.save(writer);
 	const size_t size = sizeof header + writer.getSize();
 	if (size > INT_MAX)
 		return 0;
@@ -55,6 +60,8 @@ btElasticPlasticFault btElasticPlasticRestore(btDiscreteDynamicsWorld& world, bt
 {
 	if (world.getBroadphase() != &broadphase)
 		return btElasticPlasticFault("number of broadphases", 2, "1: the world's own");
+	if (const int others = countOthers(world, broadphase))
+		return btElasticPlasticFault("number of what is in the broadphase and no object of the world", others, "0");
 	Header header;
 	const Header own;
 	if (!buffer || size < int(sizeof header))

@@ -17,7 +17,7 @@ namespace btElasticPlastic
 namespace
 {
 const char BLOCK_MARK[8] = {'b', 't', 'E', 'P', 'j', 'o', 'i', 'n'};
-const uint32_t BLOCK_VERSION = 6;
+const uint32_t BLOCK_VERSION = 7;
 
 /// Before what a block holds.
 struct BlockHeader
@@ -38,6 +38,12 @@ struct InDouble
 		double number = double(value);
 		m_archive(number);
 		value = btScalar(number);
+	}
+	template <size_t N>
+	void operator()(btScalar (&values)[N])
+	{
+		for (btScalar& value : values)
+			(*this)(value);
 	}
 	template <class T>
 	void operator()(T& value)

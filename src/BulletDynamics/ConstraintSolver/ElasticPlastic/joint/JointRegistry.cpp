@@ -74,6 +74,8 @@ JointRegistry::~JointRegistry()
 		remove(getJoint(0));
 	if (m_isDeleted)
 		*m_isDeleted = true;
+	if (m_watch)
+		m_watch->m_isDeleted = true;
 }
 
 // ---- joints

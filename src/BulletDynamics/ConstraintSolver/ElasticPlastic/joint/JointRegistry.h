@@ -40,6 +40,34 @@ public:
 	JointRegistry(const JointRegistry&) = delete;
 	JointRegistry& operator=(const JointRegistry&) = delete;
 
+	/// While it lives, whether a registry has been deleted: by a listener, or another action of the world.
+	class Watch
+	{
+	public:
+		explicit Watch(JointRegistry& registry) : m_registry(registry), m_outer(registry.m_watch)
+		{
+			registry.m_watch = this;
+		}
+		~Watch()
+		{
+			if (!m_isDeleted)
+				m_registry.m_watch = m_outer;
+			else if (m_outer)
+				m_outer->m_isDeleted = true;
+		}
+		Watch(const Watch&) = delete;
+		Watch& operator=(const Watch&) = delete;
+
+		bool isDeleted() const { return m_isDeleted; }
+
+	private:
+		friend class JointRegistry;
+
+		JointRegistry& m_registry;
+		Watch* const m_outer;
+		bool m_isDeleted = false;
+	};
+
 	bool add(JointWorks& joint);
 	void remove(JointWorks& joint);
 	void removeBody(btDynamicsWorld& world, btRigidBody& body);
@@ -214,6 +242,7 @@ private:
 	int m_numSeparations = 0;                 ///< broken joints whose bodies still overlap
 	WorldToken m_token;                       ///< in the world while there are any
 	bool* m_isDeleted = nullptr;              ///< set by the destructor while events are delivered
+	Watch* m_watch = nullptr;                 ///< the innermost
 	btElasticPlasticEvent* m_told = nullptr;  ///< the event that listeners are being told
 	bool m_isStepTold = false;                ///< whether the listener was told of a bad step
 	int m_nextWorldIndex = 0;  ///< where the joint after the one last looked for may stand in the world's list

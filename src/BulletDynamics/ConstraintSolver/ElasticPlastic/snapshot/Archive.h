@@ -29,9 +29,12 @@ public:
 	template <class T>
 	std::enable_if_t<std::is_arithmetic<T>::value> operator()(T& value)
 	{
-		if (m_size + sizeof value <= m_capacity)
-			memcpy(m_buffer + m_size, &value, sizeof value);
-		m_size += sizeof value;
+		put(&value, sizeof value);
+	}
+	template <class T, size_t N>
+	std::enable_if_t<std::is_arithmetic<T>::value> operator()(T (&values)[N])
+	{
+		put(values, sizeof values);
 	}
 
 	/// Begins a list. \return its length
@@ -44,6 +47,13 @@ public:
 	}
 
 private:
+	void put(const void* bytes, size_t size)
+	{
+		if (m_size + size <= m_capacity)
+			memcpy(m_buffer + m_size, bytes, size);
+		m_size += size;
+	}
+
 	unsigned char* m_buffer;
 	size_t m_capacity, m_size = 0;
 };
@@ -60,14 +70,7 @@ public:
 	template <class T>
 	std::enable_if_t<std::is_arithmetic<T>::value> operator()(T& value)
 	{
-		value = T();
-		if (m_hasFailed || m_size - m_place < sizeof value)
-		{
-			m_hasFailed = true;
-			return;
-		}
-		memcpy(&value, m_buffer + m_place, sizeof value);
-		m_place += sizeof value;
+		take(&value, sizeof value);
 	}
 	void operator()(bool& value)
 	{
@@ -75,6 +78,13 @@ public:
 		(*this)(byte);
 		m_hasFailed |= byte > 1;
 		value = byte == 1;
+	}
+
+	template <class T, size_t N>
+	std::enable_if_t<std::is_arithmetic<T>::value> operator()(T (&values)[N])
+	{
+		static_assert(!std::is_same<T, bool>::value, "What is read for a bool may be none.");
+		take(values, sizeof values);
 	}
 
 	template <class List>
@@ -91,6 +101,18 @@ public:
 private:
 	static constexpr size_t MOST_GROWTH = 16;
 
+	void take(void* values, size_t size)
+	{
+		m_hasFailed |= m_size - m_place < size;
+		if (m_hasFailed)
+		{
+			memset(values, 0, size);
+			return;
+		}
+		memcpy(values, m_buffer + m_place, size);
+		m_place += size;
+	}
+
 	const unsigned char* m_buffer;
 	size_t m_size, m_place = 0;
 	bool m_hasFailed = false;
@@ -99,8 +121,7 @@ private:
 template <class Archive, class T, size_t N>
 void transfer(Archive& archive, T (&values)[N])
 {
-	for (T& value : values)
-		archive(value);
+	archive(values);
 }
 
 template <class Archive>
@@ -153,18 +174,30 @@ void transferNumbers(Archive& archive, std::vector<T>& numbers)
 		archive(number);
 }
 
-/// A sum that no change of a few neighbouring bits leaves as it is.
+/// A sum that no change of a few neighbouring bits leaves as it is: four of them side by side, since each waits for its last product.
 inline uint64_t checksumOf(const unsigned char* bytes, size_t size)
 {
-	uint64_t sum = size;
-	for (size_t i = 0; i < size; i += sizeof sum)
+	uint64_t sums[4] = {size, 1, 2, 3}, words[4];
+	const auto add = [](uint64_t& sum, uint64_t word)
 	{
-		uint64_t word = 0;
-		memcpy(&word, bytes + i, size - i < sizeof word ? size - i : sizeof word);
 		sum = (sum ^ word) * 0x9E3779B97F4A7C15ull;
 		sum ^= sum >> 32;
+	};
+	size_t done = 0;
+	for (; size - done >= sizeof words; done += sizeof words)
+	{
+		memcpy(words, bytes + done, sizeof words);
+		for (int i = 0; i < 4; ++i)
+			add(sums[i], words[i]);
 	}
-	return sum;
+	memset(words, 0, sizeof words);
+	if (done < size)
+		memcpy(words, bytes + done, size - done);
+	for (int i = 0; i < 4; ++i)
+		add(sums[i], words[i]);
+	for (int i = 1; i < 4; ++i)
+		add(sums[0], sums[i]);
+	return sums[0];
 }
 }  // namespace btElasticPlastic
 

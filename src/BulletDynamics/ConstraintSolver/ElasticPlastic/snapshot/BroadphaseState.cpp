@@ -9,7 +9,6 @@
 
 #include "BulletCollision/BroadphaseCollision/btDbvtBroadphase.h"
 #include "BulletCollision/CollisionDispatch/btCollisionObject.h"
-#include "LinearMath/btHashMap.h"
 
 namespace btElasticPlastic
 {
@@ -49,11 +48,6 @@ Nodes sortedNodes(const btDbvt& tree)
 	return nodes;
 }
 
-int rankIn(const Nodes& sorted, btDbvtNode* node)
-{
-	return int(std::lower_bound(sorted.begin(), sorted.end(), node, std::less<btDbvtNode*>()) - sorted.begin());
-}
-
 /// Counts a number that must occur once. \return false if it is out of range or has occurred before
 bool countOnce(std::vector<char>& seen, int number)
 {
@@ -64,27 +58,44 @@ bool countOnce(std::vector<char>& seen, int number)
 }
 }  // namespace
 
+BroadphaseState::BroadphaseState(btDbvtBroadphase& broadphase, const std::vector<btCollisionObject*>& objects)
+	: m_broadphase(broadphase), m_objects(objects), m_rankOfPlace(objects.size(), -1)
+{
+	for (size_t i = 0; i < objects.size(); ++i)
+		m_rankOfPlace[size_t(objects[i]->getWorldArrayIndex())] = int(i);
+}
+
 // ---- reading
+
+int BroadphaseState::rankOf(const btBroadphaseProxy& proxy) const
+{
+	return m_rankOfPlace[size_t(static_cast<const btCollisionObject*>(proxy.m_clientObject)->getWorldArrayIndex())];
+}
 
 TreeImage BroadphaseState::readTree(int set) const
 {
 	const btDbvt& tree = m_broadphase.m_sets[set];
-	btHashMap<btHashPtr, int> ranks;
-	for (size_t i = 0; i < m_objects.size(); ++i)
-		ranks.insert(btHashPtr(proxyOf(*m_objects[i])), int(i));
-	const Nodes sorted = sortedNodes(tree);
+	Nodes nodes = walk(tree);
 	TreeImage image;
-	for (btDbvtNode* const node : walk(tree))
-	{
-		NodeImage to;
-		to.m_object = node->isleaf() ? *ranks.find(btHashPtr(node->data)) : -1;
-		to.m_addressRank = rankIn(sorted, node);
-		to.m_low = node->volume.Mins();
-		to.m_high = node->volume.Maxs();
-		image.m_nodes.push_back(to);
-	}
-	image.m_freeRank = tree.m_free ? rankIn(sorted, tree.m_free) : -1;
 	image.m_path = tree.m_opath;
+	image.m_nodes.resize(nodes.size());
+	for (size_t i = 0; i < nodes.size(); ++i)
+	{
+		NodeImage& to = image.m_nodes[i];
+		to.m_object = nodes[i]->isleaf() ? rankOf(*static_cast<btDbvtProxy*>(nodes[i]->data)) : -1;
+		to.m_low = nodes[i]->volume.Mins();
+		to.m_high = nodes[i]->volume.Maxs();
+	}
+	if (tree.m_free)
+		nodes.push_back(tree.m_free);
+	std::vector<std::pair<btDbvtNode*, size_t>> sorted(nodes.size());
+	for (size_t i = 0; i < nodes.size(); ++i)
+		sorted[i] = {nodes[i], i};
+	std::sort(sorted.begin(), sorted.end(),
+			  [](const auto& a, const auto& b) { return std::less<btDbvtNode*>()(a.first, b.first); });
+	for (size_t rank = 0; rank < sorted.size(); ++rank)
+		(sorted[rank].second < image.m_nodes.size() ? image.m_nodes[sorted[rank].second].m_addressRank
+													: image.m_freeRank) = int(rank);
 	return image;
 }
 
@@ -94,16 +105,15 @@ BroadphaseImage BroadphaseState::read() const
 	BroadphaseImage image;
 	for (int set = 0; set < 2; ++set)
 		image.m_trees[set] = readTree(set);
-	btHashMap<btHashPtr, int> ranks;
-	for (size_t i = 0; i < m_objects.size(); ++i)
+	image.m_boxes.reserve(2 * m_objects.size());
+	for (const btCollisionObject* object : m_objects)
 	{
-		ranks.insert(btHashPtr(proxyOf(*m_objects[i])), int(i));
-		image.m_boxes.push_back(proxyOf(*m_objects[i])->m_aabbMin);
-		image.m_boxes.push_back(proxyOf(*m_objects[i])->m_aabbMax);
+		image.m_boxes.push_back(proxyOf(*object)->m_aabbMin);
+		image.m_boxes.push_back(proxyOf(*object)->m_aabbMax);
 	}
 	for (int stage = 0; stage <= btDbvtBroadphase::STAGECOUNT; ++stage)
 		for (const btDbvtProxy* proxy = b.m_stageRoots[stage]; proxy; proxy = proxy->links[1])
-			image.m_stages[stage].push_back(*ranks.find(btHashPtr(proxy)));
+			image.m_stages[stage].push_back(rankOf(*proxy));
 	image.m_stage = b.m_stageCurrent;
 	image.m_newPairs = b.m_newpairs;
 	image.m_fixedLeft = b.m_fixedleft;

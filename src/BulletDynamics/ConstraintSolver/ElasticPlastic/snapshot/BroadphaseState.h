@@ -6,6 +6,7 @@
 
 #include "WorldImage.h"
 
+struct btBroadphaseProxy;
 struct btDbvtBroadphase;
 class btCollisionObject;
 
@@ -17,10 +18,7 @@ class BroadphaseState
 {
 public:
 	/// \param objects  by rank, all that are in the broadphase
-	BroadphaseState(btDbvtBroadphase& broadphase, const std::vector<btCollisionObject*>& objects)
-		: m_broadphase(broadphase), m_objects(objects)
-	{
-	}
+	BroadphaseState(btDbvtBroadphase& broadphase, const std::vector<btCollisionObject*>& objects);
 
 	BroadphaseImage read() const;
 
@@ -30,11 +28,13 @@ public:
 	void write(const BroadphaseImage& image);
 
 private:
+	int rankOf(const btBroadphaseProxy& proxy) const;
 	TreeImage readTree(int set) const;
 	void writeTree(int set, const TreeImage& image);
 
 	btDbvtBroadphase& m_broadphase;
 	const std::vector<btCollisionObject*>& m_objects;
+	std::vector<int> m_rankOfPlace;  ///< by the place in the world's list of objects
 };
 }  // namespace btElasticPlastic
 

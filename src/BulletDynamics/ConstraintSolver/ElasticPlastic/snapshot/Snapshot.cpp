@@ -4,6 +4,7 @@
 #include "Snapshot.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 #include "../../btElasticPlasticAction.h"
 #include "../../btElasticPlasticSolverSettings.h"
@@ -109,7 +110,7 @@ Snapshot::Snapshot(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase,
 			  [](const btCollisionObject* a, const btCollisionObject* b)
 			  { return a->getBroadphaseHandle()->getUid() < b->getBroadphaseHandle()->getUid(); });
 	for (size_t i = 0; i < m_objects.size(); ++i)
-		m_ranks[m_objects[i]] = int(i);
+		m_ranks.insert(btHashPtr(m_objects[i]), int(i));
 	for (int i = 0; i < m_registry.getNumJoints(); ++i)
 	{
 		JointWorks& joint = m_registry.getJoint(i);
@@ -122,8 +123,8 @@ Snapshot::Snapshot(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase,
 /// Does not look at the object: a joint that a user has taken out of the world may outlive its bodies. \return -1: not in the world
 int Snapshot::rankOf(const btCollisionObject& object) const
 {
-	const auto found = m_ranks.find(&object);
-	return found == m_ranks.end() ? -1 : found->second;
+	const int* const found = m_ranks.find(btHashPtr(&object));
+	return found ? *found : -1;
 }
 
 /// Whether a joint's bodies are in the world, or the one that Bullet has for all worlds.
@@ -149,9 +150,24 @@ ConstraintImage Snapshot::describe(btTypedConstraint& constraint) const
 
 // ---- reading
 
-ObjectImage Snapshot::readObject(const btCollisionObject& object) const
+namespace
 {
-	ObjectImage image;
+/// Writes a list of so many images, each made in the place of the one before: a large world's image as a whole would take as long to find
+/// memory for as to write.
+/// \param save  fills an image and writes it
+template <class Image, class Save>
+void saveList(Writer& writer, size_t count, Save save)
+{
+	uint32_t length = uint32_t(count);
+	writer(length);
+	Image image;
+	for (size_t i = 0; i < count; ++i)
+		save(i, image);
+}
+}  // namespace
+
+void Snapshot::readObject(const btCollisionObject& object, ObjectImage& image) const
+{
 	image.m_pose = object.getWorldTransform();
 	image.m_interpolatedPose = object.getInterpolationWorldTransform();
 	image.m_interpolatedVelocity = object.getInterpolationLinearVelocity();
@@ -162,7 +178,7 @@ ObjectImage Snapshot::readObject(const btCollisionObject& object) const
 	image.m_timeAtRest = object.getDeactivationTime();
 	image.m_isBody = isBodyOf(object);
 	if (!image.m_isBody)
-		return image;
+		return;
 	const btRigidBody& body = *btRigidBody::upcast(&object);
 	// A mass that is infinite may leave a zero with a sign, which does not tell one body from another.
 	image.m_inverseMass = body.getInvMass() + btScalar(0);
@@ -170,18 +186,15 @@ ObjectImage Snapshot::readObject(const btCollisionObject& object) const
 	image.m_spin = body.getAngularVelocity();
 	image.m_force = body.getTotalForce();
 	image.m_torque = body.getTotalTorque();
-	return image;
 }
 
-JointImage Snapshot::readJoint(const JointWorks& joint) const
+/// All but state and capacity.
+void Snapshot::readJoint(const JointWorks& joint, JointImage& image) const
 {
 	const JointModel& model = joint.m_model;
-	JointImage image;
 	image.m_number = joint.m_entry.m_number;
 	image.m_bodies[0] = rankOf(model.bodyA());
 	image.m_bodies[1] = rankOf(model.bodyB());
-	image.m_state = model.m_state;
-	image.m_capacity = model.m_capacity;
 	for (int q = 0; q < BT_EP_QUANTITY_COUNT; ++q)
 		image.m_levels[q] = joint.m_levels.get(btElasticPlasticQuantity(q));
 	image.m_dofs = model.m_dofs;
@@ -201,7 +214,6 @@ JointImage Snapshot::readJoint(const JointWorks& joint) const
 	image.m_innerRinging = joint.m_rhythm.m_ringing;
 	image.m_isSeparating = joint.m_separation.isUnderWay();
 	image.m_overlap = joint.m_separation.getOverlap();
-	return image;
 }
 
 /// Of bodies that are still in the world: a body of the last substep may have left it since.
@@ -239,78 +251,92 @@ size_t countManifolds(btCollisionAlgorithm& algorithm)
 }
 
 /// As PairImage::m_children. One whose shape has changed since the last step is made anew by Bullet.
-std::vector<int> countOfChildren(const btCollisionObject& a, const btCollisionObject& b,
-								 btCollisionAlgorithm& algorithm)
+void countOfChildren(const btCollisionObject& a, const btCollisionObject& b, btCollisionAlgorithm& algorithm,
+					 std::vector<int>& counts)
 {
-	std::vector<int> counts;
 	const int side = compoundOf(a, b);
 	if (side < 0)
-		return counts;
+		return;
 	const btCollisionShape& shape = *(side == 0 ? a : b).getCollisionShape();
 	const btAlignedObjectArray<btCollisionAlgorithm*>& children = CompoundParts::childrenOf(algorithm);
 	if (children.size() == static_cast<const btCompoundShape&>(shape).getNumChildShapes())
 		for (int i = 0; i < children.size(); ++i)
 			counts.push_back(children[i] ? int(countManifolds(*children[i])) : -1);
-	return counts;
 }
 }  // namespace
 
-std::vector<PairImage> Snapshot::readPairs() const
+/// \param manifolds  room for the pair's
+void Snapshot::readPair(const btBroadphasePair& pair, btManifoldArray& manifolds, PairImage& image) const
 {
-	std::vector<PairImage> images;
-	const btBroadphasePairArray& pairs = m_broadphase.getOverlappingPairCache()->getOverlappingPairArray();
-	images.reserve(size_t(pairs.size()));
-	btManifoldArray manifolds;
-	for (int i = 0; i < pairs.size(); ++i)
+	const btCollisionObject& a = *static_cast<btCollisionObject*>(pair.m_pProxy0->m_clientObject);
+	const btCollisionObject& b = *static_cast<btCollisionObject*>(pair.m_pProxy1->m_clientObject);
+	image.m_objects[0] = rankOf(a);
+	image.m_objects[1] = rankOf(b);
+	image.m_hasAlgorithm = pair.m_algorithm != nullptr;
+	image.m_children.clear();
+	manifolds.resize(0);
+	if (pair.m_algorithm)
 	{
-		PairImage image;
-		image.m_objects[0] = rankOf(*static_cast<btCollisionObject*>(pairs[i].m_pProxy0->m_clientObject));
-		image.m_objects[1] = rankOf(*static_cast<btCollisionObject*>(pairs[i].m_pProxy1->m_clientObject));
-		image.m_hasAlgorithm = pairs[i].m_algorithm != nullptr;
-		manifolds.resize(0);
-		if (pairs[i].m_algorithm)
-		{
-			pairs[i].m_algorithm->getAllContactManifolds(manifolds);
-			image.m_children = countOfChildren(*m_objects[size_t(image.m_objects[0])],
-											   *m_objects[size_t(image.m_objects[1])], *pairs[i].m_algorithm);
-		}
-		for (int m = 0; m < manifolds.size(); ++m)
-		{
-			image.m_manifolds.emplace_back();
-			image.m_manifolds.back().m_place = manifolds[m]->m_index1a;
-			for (int p = 0; p < manifolds[m]->getNumContacts(); ++p)
-				image.m_manifolds.back().m_points.push_back(manifolds[m]->getContactPoint(p));
-		}
-		images.push_back(image);
+		pair.m_algorithm->getAllContactManifolds(manifolds);
+		countOfChildren(a, b, *pair.m_algorithm, image.m_children);
 	}
-	return images;
+	image.m_manifolds.resize(size_t(manifolds.size()));
+	for (int m = 0; m < manifolds.size(); ++m)
+	{
+		ManifoldImage& to = image.m_manifolds[size_t(m)];
+		to.m_place = manifolds[m]->m_index1a;
+		to.m_points.clear();
+		for (int p = 0; p < manifolds[m]->getNumContacts(); ++p)
+			to.m_points.push_back(manifolds[m]->getContactPoint(p));
+	}
 }
 
-WorldImage Snapshot::read() const
+void Snapshot::save(Writer& writer) const
 {
-	WorldImage image;
-	// A large world's image is so large that memory for it comes from the system, page by page: none that it has no need of.
-	image.m_objects.reserve(m_objects.size());
-	image.m_joints.reserve(size_t(m_registry.getNumJoints()));
-	image.m_constraints.reserve(size_t(m_world.getNumConstraints()));
-	for (const btCollisionObject* object : m_objects)
-		image.m_objects.push_back(readObject(*object));
-	image.m_hasToken = m_registry.getMark() != nullptr;
-	for (int i = 0; i < m_registry.getNumJoints(); ++i)
-		image.m_joints.push_back(readJoint(m_registry.getJoint(i)));
-	image.m_motions = readMotions();
-	for (int i = 0; i < m_world.getNumConstraints(); ++i)
-		image.m_constraints.push_back(describe(*m_world.getConstraint(i)));
-	image.m_events = readEvents();
-	image.m_pairs = readPairs();
+	saveList<ObjectImage>(writer, m_objects.size(),
+						  [&](size_t i, ObjectImage& image)
+						  {
+							  readObject(*m_objects[i], image);
+							  transfer(writer, image);
+						  });
+	bool hasToken = m_registry.getMark() != nullptr;
+	writer(hasToken);
+	saveList<JointImage>(writer, size_t(m_registry.getNumJoints()),
+						 [&](size_t i, JointImage& image)
+						 {
+							 // What is largest is not copied. Writing changes nothing.
+							 JointModel& model = m_registry.getJoint(int(i)).m_model;
+							 readJoint(m_registry.getJoint(int(i)), image);
+							 transfer(writer, image, model.m_state, model.m_capacity);
+						 });
+	std::vector<MotionImage> motions = readMotions();
+	transferList(writer, motions);
+	saveList<ConstraintImage>(writer, size_t(m_world.getNumConstraints()),
+							  [&](size_t i, ConstraintImage& image)
+							  {
+								  image = describe(*m_world.getConstraint(int(i)));
+								  transfer(writer, image);
+							  });
+	std::vector<EventImage> events = readEvents();
+	transferList(writer, events);
+	const btBroadphasePairArray& pairs = m_broadphase.getOverlappingPairCache()->getOverlappingPairArray();
+	btManifoldArray manifolds;
+	saveList<PairImage>(writer, size_t(pairs.size()),
+						[&](size_t i, PairImage& image)
+						{
+							readPair(pairs[int(i)], manifolds, image);
+							transfer(writer, image);
+						});
 	std::vector<btCollisionObject*> objects = m_objects;
-	if (image.m_hasToken)
+	if (hasToken)
 		objects.push_back(m_registry.getMark());
-	image.m_broadphase = BroadphaseState(m_broadphase, objects).read();
-	image.m_time = m_registry.getTime();
-	image.m_leftOver = WorldParts::leftOverOf(m_world);
-	image.m_fixedStep = WorldParts::fixedStepOf(m_world);
-	return image;
+	BroadphaseImage broadphase = BroadphaseState(m_broadphase, objects).read();
+	transfer(writer, broadphase);
+	double time = m_registry.getTime();
+	btScalar leftOver = WorldParts::leftOverOf(m_world), fixedStep = WorldParts::fixedStepOf(m_world);
+	writer(time);
+	writer(leftOver);
+	writer(fixedStep);
 }
 
 void Snapshot::leaveFactors()
@@ -457,16 +483,27 @@ btElasticPlasticFault Snapshot::findForeignConstraint(const WorldImage& image) c
 	return btElasticPlasticFault();
 }
 
+namespace
+{
+template <class T>
+bool isWithoutDoubles(std::vector<T>& values)
+{
+	std::sort(values.begin(), values.end());
+	return std::adjacent_find(values.begin(), values.end()) == values.end();
+}
+}  // namespace
+
 bool Snapshot::arePairsSound(const WorldImage& image) const
 {
-	std::unordered_map<uint64_t, char> seen;
+	std::vector<uint64_t> keys;
 	std::vector<int> places;
 	for (const PairImage& pair : image.m_pairs)
 	{
 		const int a = pair.m_objects[0], b = pair.m_objects[1];
 		// By uid, and so by rank, as Bullet keeps them.
-		if (a < 0 || b <= a || size_t(b) >= m_objects.size() || seen[keyOf(a, b)]++)
+		if (a < 0 || b <= a || size_t(b) >= m_objects.size())
 			return false;
+		keys.push_back(keyOf(a, b));
 		const int side = compoundOf(*m_objects[size_t(a)], *m_objects[size_t(b)]);
 		const btCollisionShape* const compound =
 			side < 0 ? nullptr : m_objects[size_t(pair.m_objects[side])]->getCollisionShape();
@@ -481,9 +518,8 @@ bool Snapshot::arePairsSound(const WorldImage& image) const
 			places.push_back(manifold.m_place);
 		}
 	}
-	// Others, which some other object's algorithms own, may stand between them.
-	std::sort(places.begin(), places.end());
-	return std::adjacent_find(places.begin(), places.end()) == places.end();
+	// Places of others, which some other object's algorithms own, may stand between them.
+	return isWithoutDoubles(keys) && isWithoutDoubles(places);
 }
 
 bool Snapshot::areMotionsSound(const WorldImage& image) const

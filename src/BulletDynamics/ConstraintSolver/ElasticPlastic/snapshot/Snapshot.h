@@ -4,16 +4,16 @@
 #ifndef BT_ELASTIC_PLASTIC_SNAPSHOT_WORKS_H
 #define BT_ELASTIC_PLASTIC_SNAPSHOT_WORKS_H
 
-#include <unordered_map>
-
 #include "../../btElasticPlasticFault.h"
+#include "BulletCollision/BroadphaseCollision/btCollisionAlgorithm.h"
+#include "LinearMath/btHashMap.h"
 #include "WorldImage.h"
 
-class btCollisionAlgorithm;
 class btCollisionObject;
 class btDiscreteDynamicsWorld;
 class btElasticPlasticAction;
 class btTypedConstraint;
+struct btBroadphasePair;
 struct btDbvtBroadphase;
 
 namespace btElasticPlastic
@@ -21,14 +21,15 @@ namespace btElasticPlastic
 class JointRegistry;
 class JointWorks;
 
-/// Reads a world into an image of it, and makes a world again what an image shows.
+/// Writes a world as bytes, and makes a world again what an image of it shows.
 class Snapshot
 {
 public:
 	/// Looks at the world as it is now.
 	Snapshot(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase, btElasticPlasticAction& action);
 
-	WorldImage read() const;
+	/// Writes the world, part after part in the order in which transfer() has those of a WorldImage.
+	void save(Writer& writer) const;
 
 	/// What of an image does not belong to this world.
 	btElasticPlasticFault findMismatch(const WorldImage& image) const;
@@ -46,11 +47,11 @@ private:
 	btTypedConstraint* findConstraint(const ConstraintImage& image, std::vector<btTypedConstraint*>& left) const;
 
 	// ---- reading
-	ObjectImage readObject(const btCollisionObject& object) const;
-	JointImage readJoint(const JointWorks& joint) const;
+	void readObject(const btCollisionObject& object, ObjectImage& image) const;
+	void readJoint(const JointWorks& joint, JointImage& image) const;
 	std::vector<MotionImage> readMotions() const;
 	std::vector<EventImage> readEvents() const;
-	std::vector<PairImage> readPairs() const;
+	void readPair(const btBroadphasePair& pair, btManifoldArray& manifolds, PairImage& image) const;
 
 	// ---- what does not fit
 	btElasticPlasticFault findForeignObject(const WorldImage& image) const;
@@ -75,7 +76,7 @@ private:
 	btDbvtBroadphase& m_broadphase;
 	JointRegistry& m_registry;
 	std::vector<btCollisionObject*> m_objects;  ///< by rank, without the registry's own
-	std::unordered_map<const btCollisionObject*, int> m_ranks;
+	btHashMap<btHashPtr, int> m_ranks;
 	std::vector<JointWorks*> m_joints;  ///< by number, null: deleted, or of another registry now
 };
 }  // namespace btElasticPlastic

@@ -179,13 +179,14 @@ inline bool areBounds(const signed char (&bounds)[BT_EP_DOF_COUNT], const std::v
 		   std::all_of(ofFibres.begin(), ofFibres.end(), isBound);
 }
 
+/// \param state, capacity  those of the image, or of the joint itself
 template <class Archive>
-void transfer(Archive& archive, JointImage& image)
+void transfer(Archive& archive, JointImage& image, btElasticPlasticState& state, btElasticPlasticCapacity& capacity)
 {
 	archive(image.m_number);
 	transfer(archive, image.m_bodies);
-	transfer(archive, image.m_state);
-	transfer(archive, image.m_capacity);
+	transfer(archive, state);
+	transfer(archive, capacity);
 	transfer(archive, image.m_levels);
 	archive(image.m_dofs);
 	archive(image.m_isPaper);
@@ -205,6 +206,12 @@ void transfer(Archive& archive, JointImage& image)
 	archive(image.m_isSeparating);
 	if (image.m_isSeparating)
 		archive(image.m_overlap);
+}
+
+template <class Archive>
+void transfer(Archive& archive, JointImage& image)
+{
+	transfer(archive, image, image.m_state, image.m_capacity);
 }
 
 /// How a body has gone through the inner steps of the last substep.

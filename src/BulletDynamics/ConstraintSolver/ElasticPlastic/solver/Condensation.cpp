@@ -65,8 +65,14 @@ bool Condensation::enlarge(const SystemInput& input, const std::vector<int>& bod
 	return false;
 }
 
+/// \param bodies  may be named many times, as they are where many points touch
 void Condensation::addRings(std::vector<int> bodies, int rings)
 {
+	std::sort(bodies.begin(), bodies.end());
+	bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+	std::vector<char> isNamed(m_inside.size(), 0);
+	for (const int body : bodies)
+		isNamed[size_t(body)] = 1;
 	std::vector<int> next;
 	const int enough = m_numInside + ENOUGH;
 	for (int ring = 0; ring <= rings && (ring < 2 || m_numInside < enough); ++ring)
@@ -76,16 +82,15 @@ void Condensation::addRings(std::vector<int> bodies, int rings)
 		{
 			m_numInside += !m_inside[size_t(body)];
 			m_inside[size_t(body)] = 1;
-			next.insert(next.end(), m_neighbours.begin() + m_start[size_t(body)],
-						m_neighbours.begin() + m_start[size_t(body) + 1]);
+			for (int i = m_start[size_t(body)]; i < m_start[size_t(body) + 1]; ++i)
+			{
+				const int neighbour = m_neighbours[size_t(i)];
+				if (!m_inside[size_t(neighbour)] && !isNamed[size_t(neighbour)])
+					next.push_back(neighbour);
+				isNamed[size_t(neighbour)] = 1;
+			}
 		}
-		// Bodies of a ring are looked at once.
-		std::sort(next.begin(), next.end());
-		next.erase(std::unique(next.begin(), next.end()), next.end());
-		bodies.clear();
-		for (const int body : next)
-			if (!m_inside[size_t(body)])
-				bodies.push_back(body);
+		bodies.swap(next);
 	}
 }
 
