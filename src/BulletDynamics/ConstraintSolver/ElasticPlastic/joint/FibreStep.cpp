@@ -36,10 +36,7 @@ btScalar elongationOf(const JointModel::BearingFibre& fibre, const btElasticPlas
 	return strain[BT_EP_AXIAL] + fibre.m_z * strain[BT_EP_BENDING_Y] - fibre.m_y * strain[BT_EP_BENDING_Z] -
 		   state.m_offset;
 }
-}  // namespace
 
-namespace
-{
 template <class T>
 void prefetchAll(const btAlignedObjectArray<T>& array)
 {

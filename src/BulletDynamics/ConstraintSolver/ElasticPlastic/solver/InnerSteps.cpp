@@ -226,10 +226,10 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 	btSetMin(level, task.m_maxLevel);
 	for (;;)
 	{
-		// The first whole step after inner ones is the only one of its kind: velocities come to belong to another time.
 		task.m_numSolutions = 0;
 		task.m_workAtBegin = task.m_statistics.m_work;
 		task.m_factorsAtBegin = task.m_statistics.m_factorisations;
+		// The first whole step after inner ones is the only one of its kind: velocities come to belong to another time.
 		const bool isWhole = level == 0 && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
 		if (attempt.m_next == level)
