@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// The six springs of a joint side by side: what the law says of each row, to the bit.
+// The six springs of a joint side by side: what the law says of each row, to the bit. By -ffast-math compilers add in another
+// order side by side than one by one: there, to the rounding of what is added.
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,23 @@
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/SpringLanes.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
+#include "support/Precision.h"
 
 namespace
 {
 using namespace btElasticPlastic;
+
+/// The same number, which is a sum of terms of a size.
+void expectSame(btScalar expected, btScalar actual, btScalar terms)
+{
+#ifdef __FAST_MATH__
+	// Some ten terms, each rounded a few times.
+	EXPECT_NEAR(expected, actual, terms * 32 * FLOAT_ROUNDING * SIMD_EPSILON);
+#else
+	(void)terms;
+	EXPECT_EQ(expected, actual);
+#endif
+}
 
 /// A joint as chance has it: soft and stiff springs, with coupled pairs and without, damped or not.
 struct AnyJoint
@@ -52,6 +66,27 @@ struct AnyJoint
 					  m_state.m_force[dof],        m_state.m_forceRate[dof], {0, 0}};
 		m_damping.addTo(s, m_state.m_branch, dof);
 		return s;
+	}
+
+	/// Size of the deformations whose sum a row's is.
+	btScalar deformations(int dof) const
+	{
+		const int partner = partnerOf(dof);
+		const auto forces = [this](int i) { return m_capacity.m_yield[i] + btFabs(m_state.m_forceRate[i] * m_dt); };
+		return forces(dof) / m_capacity.m_stiffness[dof] +
+			   (partner < 0 ? 0 : btFabs(m_capacity.couplingCompliance(dof)) * forces(partner));
+	}
+
+	/// Size of the forces whose sum a row's is.
+	btScalar forces(int dof) const
+	{
+		const btScalar stiffness = m_capacity.m_stiffness[dof], own = deformations(dof);
+		const int partner = partnerOf(dof);
+		if (partner < 0)
+			return stiffness * own;
+		const btScalar coupling = btFabs(m_capacity.couplingCompliance(dof)), other = m_capacity.m_stiffness[partner];
+		return stiffness * (own + coupling * other * deformations(partner)) /
+			   (1 - coupling * coupling * stiffness * other);
 	}
 
 	int partnerOf(int dof) const
@@ -95,17 +130,19 @@ TEST(SpringLanes, RowsAreThoseOfTheLawToTheBit)
 				const btScalar between =
 					coupledRows(states, MeanForce::byRow(std::max(a[0], a[1]), dt, joint.m_lastStep), a,
 								joint.m_capacity.couplingCompliance(i), dt, pair);
-				EXPECT_EQ(between, rows.m_coupling[i - BT_EP_SHEAR_Y]);
+				expectSame(between, rows.m_coupling[i - BT_EP_SHEAR_Y], btFabs(between));
 				for (int k = 0; k < 2; ++k)
 					expected[dofs[k]] = pair[k];
 			}
 		}
 		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		{
-			EXPECT_EQ(expected[i].m_compliance, rows.m_compliance[i]) << "seed " << seed << ", " << i;
-			EXPECT_EQ(expected[i].m_velocity, rows.m_velocity[i]) << "seed " << seed << ", " << i;
-			EXPECT_EQ(expected[i].m_lower, rows.m_lower[i]) << "seed " << seed << ", " << i;
-			EXPECT_EQ(expected[i].m_upper, rows.m_upper[i]) << "seed " << seed << ", " << i;
+			SCOPED_TRACE(::testing::Message() << "seed " << seed << ", " << i);
+			const btScalar impulse = joint.forces(i) * dt;
+			expectSame(expected[i].m_compliance, rows.m_compliance[i], expected[i].m_compliance);
+			expectSame(expected[i].m_velocity, rows.m_velocity[i], joint.deformations(i) / dt);
+			expectSame(expected[i].m_lower, rows.m_lower[i], impulse);
+			expectSame(expected[i].m_upper, rows.m_upper[i], impulse);
 		}
 	}
 }
@@ -149,7 +186,7 @@ void mapAny(AnyJoint& joint, btScalar share, int& numElastic)
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT && isElastic; ++i)
 	{
-		EXPECT_EQ(expected[i].m_force, force[i]);
+		expectSame(expected[i].m_force, force[i], joint.forces(i));
 		EXPECT_EQ(0, expected[i].m_increment);
 	}
 	// What flows is never taken for elastic.
@@ -180,8 +217,11 @@ TEST(SpringLanes, WithoutStrengthNothingIsElastic)
 	Lanes trial, force;
 	trial.fill(0);
 	EXPECT_FALSE(joint.lanes().mapElastic(trial, force));
+#ifndef __FAST_MATH__
+	// There compilers compare as if all numbers were finite; solutions that are not are left out by their bits before this.
 	trial[BT_EP_TORSION] = btScalar(NAN);
 	EXPECT_FALSE(AnyJoint(1).lanes().mapElastic(trial, force));
+#endif
 }
 
 TEST(SpringLanes, AreForSpringsOnly)
