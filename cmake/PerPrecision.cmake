@@ -61,7 +61,6 @@ function(_ep_executable target precision)
 	set(mains ${arg_SOURCES})
 	list(FILTER mains INCLUDE REGEX "[mM]ain\\.cpp$")
 	set_source_files_properties(${mains} PROPERTIES COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<NOT:$<CXX_COMPILER_ID:MSVC>>>:-O0>)
-	# Each test is a source by itself, with names of its own.
 	set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 	_ep_link(${target} PRIVATE ${precision} ${arg_LINK})
 endfunction()
@@ -117,6 +116,8 @@ function(ep_add_test name)
 	foreach(precision IN LISTS precisions)
 		set(target ${name}-${precision})
 		_ep_executable(${target} ${precision} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main)
+		# A file of tests has a namespace of its own, by its name. Half of the time goes into what each would instantiate for itself.
+		set_target_properties(${target} PROPERTIES UNITY_BUILD "${CMAKE_UNITY_BUILD}" UNITY_BUILD_BATCH_SIZE 6)
 		target_precompile_headers(${target} REUSE_FROM ElasticPlasticTestHeaders${EP_SUFFIX_${precision}})
 		# Asked for its tests when they are to run: a program that cannot start fails the tests, not the build.
 		gtest_discover_tests(${target} TEST_SUFFIX .${precision} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 ${properties})

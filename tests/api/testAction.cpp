@@ -13,7 +13,7 @@
 
 #include "support/Row.h"
 
-namespace
+namespace testAction
 {
 using namespace ep;
 
@@ -288,5 +288,4 @@ TEST(Action, StatesCanBeSavedAndPutBack)
 	row.run(30);
 	EXPECT_EQ(first, row.m_joints[0]->getPlasticEnergy());
 }
-
-}  // namespace
+}  // namespace testAction

@@ -16,7 +16,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testBonding
 {
 using namespace ep;
 typedef btElasticPlasticBonding Bonding;
@@ -250,4 +250,4 @@ TEST(Bonding, AJoinedWallStandsAndFallsWhenItIsWeakened)
 		world.action().removeJoint(joints[i]);
 	}
 }
-}  // namespace
+}  // namespace testBonding

@@ -13,7 +13,7 @@
 #include "support/Pair.h"
 #include "support/Precision.h"
 
-namespace
+namespace testBreak
 {
 using namespace ep;
 
@@ -487,4 +487,4 @@ TEST(AddConstraint, OfSleepersIsSeen)
 	EXPECT_TRUE(diary.m_refused.empty());
 	EXPECT_FALSE(joint->fault());
 }
-}  // namespace
+}  // namespace testBreak

@@ -10,7 +10,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticC.h"
 
-namespace
+namespace testC
 {
 const double GRAVITY[3] = {0, -10, 0}, ORIGIN[3] = {0, 0, 0}, UPRIGHT[4] = {0, 0, 0, 1};
 
@@ -301,4 +301,4 @@ TEST_F(CInterface, RefusesSectionsThatAreNone)
 	EXPECT_EQ(BTEP_BAD_HANDLE, btep_joint_create(m_world, m_wall, m_block, middle, UPRIGHT, &m_capacity, &joint));
 	expectMessage("m_fibres");
 }
-}  // namespace
+}  // namespace testC

@@ -12,7 +12,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
 #include "support/Close.h"
 
-namespace
+namespace testCapacity
 {
 typedef btElasticPlasticSection Section;
 typedef btElasticPlasticMaterial Material;
@@ -177,4 +177,4 @@ TEST(Capacity, ByHand)
 	c.clear(BT_EP_AXIAL);
 	EXPECT_FALSE(c.isElasticPlastic(BT_EP_AXIAL));
 }
-}  // namespace
+}  // namespace testCapacity

@@ -11,7 +11,7 @@
 #include "support/Pair.h"
 #include "support/Precision.h"
 
-namespace
+namespace testConstraint
 {
 using namespace ep;
 
@@ -269,5 +269,4 @@ TEST(Constraint, KeepsTheUsersFeedback)
 	pair.m_world.step(btScalar(1) / 60);
 	EXPECT_NE(nullptr, joint->getConstraint().getJointFeedback());
 }
-
-}  // namespace
+}  // namespace testConstraint

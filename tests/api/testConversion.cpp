@@ -21,7 +21,7 @@
 #include "support/Pair.h"
 #include "support/Precision.h"
 
-namespace
+namespace testConversion
 {
 using namespace ep;
 typedef btElasticPlasticConversion Conversion;
@@ -286,4 +286,4 @@ TEST(Conversion, AReplacedHingeSwingsAsBefore)
 		world.bullet().removeConstraint(isReplaced ? static_cast<btTypedConstraint*>(joint.get()) : &hinge);
 	}
 }
-}  // namespace
+}  // namespace testConversion

@@ -12,7 +12,7 @@
 #include "LinearMath/btIDebugDraw.h"
 #include "support/Row.h"
 
-namespace
+namespace testDebugDraw
 {
 using namespace ep;
 
@@ -134,4 +134,4 @@ TEST(DebugDraw, SizeAndColoursAreTheUsers)
 	EXPECT_FALSE(row.m_world.action().setDrawing(drawing));
 	EXPECT_EQ(3, row.m_world.action().getDrawing().m_size);
 }
-}  // namespace
+}  // namespace testDebugDraw

@@ -17,7 +17,7 @@
 #include "support/Pair.h"
 #include "vehicle/Vehicle.h"
 
-namespace
+namespace testEnergyAudit
 {
 using ep::at;
 using ep::Solver;
@@ -381,4 +381,4 @@ TEST(EnergyAudit, ChangesNothing)
 	}
 	EXPECT_TRUE(places[0] == places[1]);
 }
-}  // namespace
+}  // namespace testEnergyAudit

@@ -16,7 +16,7 @@
 #include "support/Precision.h"
 #include "support/Row.h"
 
-namespace
+namespace testEvents
 {
 using namespace ep;
 
@@ -259,4 +259,4 @@ TEST(Events, AListenerMayDeleteTheActionBeforeOthersHear)
 	EXPECT_EQ(1u, first.m_events.size());
 	EXPECT_EQ(0u, second.m_events.size());
 }
-}  // namespace
+}  // namespace testEvents

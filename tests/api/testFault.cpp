@@ -7,7 +7,7 @@
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticFault.h"
 
-namespace
+namespace testFault
 {
 // The compiler knows neither the factors nor the product; with -ffast-math it may take that for finite.
 bool isProductFinite(double a, double b) { return btElasticPlasticIsFinite(a * b); }
@@ -34,4 +34,4 @@ TEST(Fault, SeesWhatIsNotFiniteWhateverTheCompilerAssumes)
 	EXPECT_TRUE(btElasticPlasticCheckPositive("mass", btScalar(atof("nan"))));
 	EXPECT_TRUE(btElasticPlasticCheckNotNegative("mass", btScalar(infinite)));
 }
-}  // namespace
+}  // namespace testFault

@@ -21,7 +21,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testLifetimes
 {
 using namespace ep;
 
@@ -766,4 +766,4 @@ TEST(Lifetimes, ABodyIsNotJoinedToItself)
 		EXPECT_EQ(0, body->getAngularVelocity().length());
 	}
 }
-}  // namespace
+}  // namespace testLifetimes

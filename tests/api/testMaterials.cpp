@@ -12,7 +12,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
 #include "support/Close.h"
 
-namespace
+namespace testMaterials
 {
 typedef btElasticPlasticReadyMaterial Ready;
 
@@ -63,4 +63,4 @@ TEST(Materials, ThatAreNotThereAreRefused)
 	EXPECT_STREQ(Ready::at(0).m_name, Ready::at(-1).m_name);
 	EXPECT_STREQ(Ready::at(0).m_name, Ready::at(1000).m_name);
 }
-}  // namespace
+}  // namespace testMaterials

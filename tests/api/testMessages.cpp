@@ -13,7 +13,7 @@
 
 #include "support/Pair.h"
 
-namespace
+namespace testMessages
 {
 using namespace ep;
 
@@ -156,4 +156,4 @@ TEST(Messages, AJointToALinkIsRefused)
 		world.bullet().removeConstraint(&joint);
 	}
 }
-}  // namespace
+}  // namespace testMessages

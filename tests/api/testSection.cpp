@@ -10,7 +10,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticSection.h"
 #include "support/Close.h"
 
-namespace
+namespace testSection
 {
 typedef btElasticPlasticSection Section;
 
@@ -148,5 +148,4 @@ TEST(Section, RoundAndHollow)
 	expectClose(Section::rectangle(1, 2).m_plasticTorsionModulus,
 				Section::hollowRectangle(1, 2, btScalar(0.49999)).m_plasticTorsionModulus, 1e-4);
 }
-
-}  // namespace
+}  // namespace testSection

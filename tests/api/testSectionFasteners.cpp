@@ -15,7 +15,7 @@
 #include "support/Close.h"
 #include "support/SectionCells.h"
 
-namespace
+namespace testSectionFasteners
 {
 typedef btElasticPlasticSection Section;
 
@@ -217,4 +217,4 @@ TEST(SectionFasteners, TellWhatIsWrong)
 	EXPECT_STREQ("length of a weld [m]", Section::welds(&line, 1, btScalar(0.02)).m_fault.m_quantity);
 	EXPECT_STREQ("number of welds", Section::welds(&line, -1, btScalar(0.001)).m_fault.m_quantity);
 }
-}  // namespace
+}  // namespace testSectionFasteners

@@ -17,7 +17,7 @@
 #include "support/Close.h"
 #include "support/SectionCells.h"
 
-namespace
+namespace testSectionFibres
 {
 const btScalar YIELD = btScalar(250e6);
 
@@ -320,4 +320,4 @@ TEST(SectionFibres, NumbersThatNoFibreCanHave)
 		EXPECT_TRUE(bad.fault()) << i;
 	}
 }
-}  // namespace
+}  // namespace testSectionFibres

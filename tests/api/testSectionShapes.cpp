@@ -14,7 +14,7 @@
 #include "support/Close.h"
 #include "support/SectionCells.h"
 
-namespace
+namespace testSectionShapes
 {
 typedef btElasticPlasticSection Section;
 typedef std::vector<btElasticPlasticSectionPoint> Corners;
@@ -500,4 +500,4 @@ TEST(SectionShapes, TellWhatIsWrong)
 	nowhere.addPart(nowhere, btScalar(NAN), 1, btElasticPlasticMaterial::steel());
 	EXPECT_EQ("place of a part, y + z [m]", quantity(nowhere));
 }
-}  // namespace
+}  // namespace testSectionShapes

@@ -9,7 +9,7 @@
 
 #include "support/Pair.h"
 
-namespace
+namespace testSleep
 {
 using namespace ep;
 
@@ -300,4 +300,4 @@ TEST(Sleep, AJointThatHasLeftTheWorldMayHaveLostItsBodies)
 	run(world, 2);  // reads no memory of theirs: the sanitizer sees it
 	EXPECT_FALSE(joint.isBroken());
 }
-}  // namespace
+}  // namespace testSleep

@@ -22,7 +22,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testSnapshot
 {
 using namespace ep;
 
@@ -689,4 +689,4 @@ TEST(Snapshot, CountsThatAreSpoiltAskForLittleMemory)
 	EXPECT_FALSE(reader.isComplete());
 	EXPECT_LT(image.m_objects.capacity() * sizeof(image.m_objects[0]), 20 * values.size());
 }
-}  // namespace
+}  // namespace testSnapshot

@@ -20,7 +20,7 @@
 #include "world/Place.h"
 #include "world/World.h"
 
-namespace
+namespace testSoak
 {
 using namespace ep;
 
@@ -148,4 +148,4 @@ TEST(Soak, UnreadEventsStayTheSame)
 	}
 	EXPECT_EQ(2000, events);
 }
-}  // namespace
+}  // namespace testSoak

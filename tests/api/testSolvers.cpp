@@ -13,7 +13,7 @@
 #include "world/Place.h"
 #include "support/Run.h"
 
-namespace
+namespace testSolvers
 {
 using namespace ep;
 
@@ -99,4 +99,4 @@ TEST(Solvers, OursIsTheStockSolverWhereThereAreNoJoints)
 	};
 	EXPECT_TRUE(placesWith(Solver::Stock) == placesWith(Solver::Iterative));
 }
-}  // namespace
+}  // namespace testSolvers

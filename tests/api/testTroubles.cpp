@@ -13,7 +13,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testTroubles
 {
 using namespace ep;
 
@@ -253,4 +253,4 @@ TEST(Troubles, ItBreaksUnderItsOwnWeight)
 	site.run(55);
 	EXPECT_TRUE(joint.isBroken());
 }
-}  // namespace
+}  // namespace testTroubles

@@ -11,7 +11,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testUnits
 {
 using namespace ep;
 
@@ -87,4 +87,4 @@ TEST(Units, TheSameCourseInAnyConsistentSystem)
 		}
 	}
 }
-}  // namespace
+}  // namespace testUnits

@@ -15,7 +15,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testWorldPool
 {
 using namespace ep;
 
@@ -163,4 +163,4 @@ TEST(WorldPool, ThreadsChangeNoBit)
 	delete scheduler;
 }
 #endif
-}  // namespace
+}  // namespace testWorldPool

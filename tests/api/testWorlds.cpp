@@ -19,7 +19,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testWorlds
 {
 using namespace ep;
 
@@ -235,4 +235,4 @@ TEST(Worlds, ASoftBodyLiesOnAStructure)
 	world.removeSoftBody(cloth);
 	delete cloth;
 }
-}  // namespace
+}  // namespace testWorlds

@@ -25,7 +25,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testBulletFile
 {
 using namespace ep;
 
@@ -335,4 +335,4 @@ TEST(BulletFile, NothingThatIsSpoiltChangesAJoint)
 	EXPECT_GT(taken, 0);
 	EXPECT_LT(taken, 300);
 }
-}  // namespace
+}  // namespace testBulletFile

@@ -17,7 +17,7 @@
 #include "support/Run.h"
 #include "world/EnergyAudit.h"
 
-namespace
+namespace testCoupledPair
 {
 using namespace ep;
 
@@ -230,4 +230,4 @@ TEST(CoupledPair, FlowMakesNoEnergy)
 	}
 	EXPECT_GT(flows, 30);
 }
-}  // namespace
+}  // namespace testCoupledPair

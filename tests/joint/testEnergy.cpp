@@ -13,7 +13,7 @@
 #include "world/World.h"
 #include "support/Run.h"
 
-namespace
+namespace testEnergy
 {
 using namespace ep;
 
@@ -223,4 +223,4 @@ TEST(Energy, SplitsIntoElasticPlasticAndNumerical)
 		}
 	}
 }
-}  // namespace
+}  // namespace testEnergy

@@ -11,7 +11,7 @@
 #include "support/NotFinite.h"
 #include "support/Pair.h"
 
-namespace
+namespace testFinite
 {
 using namespace ep;
 
@@ -226,4 +226,4 @@ TEST_P(Capacities, NoNumberOfAStateSpoilsIt)
 
 INSTANTIATE_TEST_SUITE_P(Finite, Capacities, testing::Bool(),
 						 [](const testing::TestParamInfo<bool>& info) { return info.param ? "Fibres" : "Springs"; });
-}  // namespace
+}  // namespace testFinite

@@ -10,7 +10,7 @@
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/EventQueue.h"
 
-namespace
+namespace testGapList
 {
 using btElasticPlastic::EventQueue;
 using btElasticPlastic::GapList;
@@ -220,4 +220,4 @@ TEST(EventQueue, HoldsTheNewestOfEachJointAndType)
 	EXPECT_EQ(6, event.m_time);
 	EXPECT_EQ(0, queue.getCount());
 }
-}  // namespace
+}  // namespace testGapList

@@ -15,7 +15,7 @@
 #include "support/Precision.h"
 #include "support/Row.h"
 
-namespace
+namespace testJointStep
 {
 using namespace ep;
 
@@ -315,4 +315,4 @@ TEST(JointStep, ASearchThatIsCutLeavesNumbers)
 		EXPECT_TRUE(joint->setState(joint->getState()));
 	}
 }
-}  // namespace
+}  // namespace testJointStep

@@ -11,7 +11,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticFault.h"
 #include "support/Precision.h"
 
-namespace
+namespace testKinematics
 {
 btQuaternion rotation(double x, double y, double z, double angle)
 {
@@ -140,4 +140,4 @@ TEST(Kinematics, AMemberBentIntoAnArcIsNotStretched)
 				<< turn << " about " << axis;
 		}
 }
-}  // namespace
+}  // namespace testKinematics

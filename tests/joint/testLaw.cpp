@@ -16,7 +16,7 @@
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/MaterialDamping.h"
 #include "support/Precision.h"
 
-namespace
+namespace testLaw
 {
 using btElasticPlastic::DofState;
 using btElasticPlastic::MaterialDamping;
@@ -332,5 +332,4 @@ TEST(Law, ReturnMapping)
 	// Mapping what was mapped changes nothing.
 	EXPECT_NEAR(0, mapped(0.05, 1).m_increment, 1e-7);
 }
-
-}  // namespace
+}  // namespace testLaw

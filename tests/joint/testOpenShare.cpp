@@ -9,7 +9,7 @@
 #include "support/Close.h"
 #include "support/Pair.h"
 
-namespace
+namespace testOpenShare
 {
 using btElasticPlastic::OpenShare;
 
@@ -55,4 +55,4 @@ TEST(OpenShare, NorDoesThatOfASupport)
 		expectClose(OPEN_WORK / (0.5 * 12 * 4 + JOINT), shareOf(pair, true), byPrecision(1e-12, 1e-5));
 	}
 }
-}  // namespace
+}  // namespace testOpenShare

@@ -10,7 +10,7 @@
 #include "support/Pair.h"
 #include "support/Precision.h"
 
-namespace
+namespace testReadings
 {
 using namespace ep;
 
@@ -175,4 +175,4 @@ TEST(Readings, ARigidPlasticJointClosesByErrorReduction)
 					EXPECT_EQ(0, joint->getPlasticEnergy());
 				}
 }
-}  // namespace
+}  // namespace testReadings

@@ -8,7 +8,7 @@
 #include "support/Pair.h"
 #include "support/Precision.h"
 
-namespace
+namespace testSeparation
 {
 using namespace ep;
 
@@ -96,4 +96,4 @@ TEST(Separation, OutlivesDeletionOfTheBrokenJoint)
 	EXPECT_EQ(0, scene.m_world.bullet().getNumConstraints());
 	run(scene.m_world, 10, btScalar(1) / 240);
 }
-}  // namespace
+}  // namespace testSeparation

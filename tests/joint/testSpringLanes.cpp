@@ -14,7 +14,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
 #include "support/Precision.h"
 
-namespace
+namespace testSpringLanes
 {
 using namespace btElasticPlastic;
 
@@ -235,4 +235,4 @@ TEST(SpringLanes, AreForSpringsOnly)
 	capacity.clear(BT_EP_SHEAR_Y);
 	EXPECT_FALSE(SpringLanes::areSprings(capacity));
 }
-}  // namespace
+}  // namespace testSpringLanes

@@ -8,7 +8,7 @@
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/JointWorks.h"
 #include "support/Pair.h"
 
-namespace
+namespace testStockFeedback
 {
 using namespace ep;
 
@@ -47,4 +47,4 @@ TEST(StockFeedback, ARowThatIsOneOfBulletsToo)
 	step.revert();
 	joint->getConstraint().setJointFeedback(nullptr);
 }
-}  // namespace
+}  // namespace testStockFeedback

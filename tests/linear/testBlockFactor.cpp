@@ -16,7 +16,7 @@
 #include "linear/BlockMatrices.h"
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/linear/BlockFactor.h"
 
-namespace
+namespace testBlockFactor
 {
 using namespace ep;
 using Factor = btElasticPlastic::BlockFactor;
@@ -432,4 +432,4 @@ TEST(BlockFactor, CostOfTreesIsLinear)
 		EXPECT_LT(difference(x, solved(factor, product(matrix, x))), 1e-9);
 	}
 }
-}  // namespace
+}  // namespace testBlockFactor

@@ -7,7 +7,7 @@
 
 #include "linear/BlockMatrices.h"
 
-namespace
+namespace testBlockMatrix
 {
 using namespace ep;
 
@@ -59,4 +59,4 @@ TEST(BlockMatrix, RepeatedEdgesShareABlock)
 	matrix.setZero();
 	EXPECT_EQ(norm(product(matrix, Values(18, 1.0))), 0);
 }
-}  // namespace
+}  // namespace testBlockMatrix

@@ -11,7 +11,7 @@
 #include "linear/BlockGraphs.h"
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/linear/Ordering.h"
 
-namespace
+namespace testOrdering
 {
 using ep::BlockGraph;
 
@@ -66,4 +66,4 @@ TEST(Ordering, FillIsThatOfTheBestImplementations)
 	EXPECT_LT(fillOf(ep::grid(100, 100, 1)), 1.05 * 219757);
 	EXPECT_LT(fillOf(ep::grid(20, 20, 20)), 1.05 * 869488);
 }
-}  // namespace
+}  // namespace testOrdering

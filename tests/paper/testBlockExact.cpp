@@ -13,7 +13,7 @@
 #include "scenes/ExactOscillator.h"
 #include "support/Precision.h"
 
-namespace
+namespace testBlockExact
 {
 using ep::BlockUnderTension;
 using ep::ExactOscillator;
@@ -235,4 +235,4 @@ TEST(BlockExact, BreaksAtTheSameTimeTurned)
 			EXPECT_TRUE(block.m_joint->isBroken());
 		}
 }
-}  // namespace
+}  // namespace testBlockExact

@@ -18,7 +18,7 @@
 #include "scenes/BlockUnderTension.h"
 #include "paper/RecordingSolver.h"
 
-namespace
+namespace testBlockTables
 {
 using ep::BlockUnderTension;
 
@@ -498,4 +498,4 @@ TEST(BlockUnderTension, TableX)
 	table[2].m_step = 60;
 	compareElasticPlastic(table, ep::JointClass::Spring2);
 }
-}  // namespace
+}  // namespace testBlockTables

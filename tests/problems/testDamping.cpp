@@ -21,7 +21,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testDamping
 {
 using namespace ep;
 
@@ -402,4 +402,4 @@ TEST(Damping, IsOnInMaterialsAndCanBeTurnedOff)
 		EXPECT_STREQ("damping ratio", capacity.fault().m_quantity) << wrong;
 	}
 }
-}  // namespace
+}  // namespace testDamping

@@ -15,7 +15,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testFibreEvents
 {
 using namespace ep;
 
@@ -271,7 +271,8 @@ TEST(FibreReadings, AreTheElongationAtTheirPlace)
 		const btElasticPlasticFibreReading reading = joint.getFibre(k);
 		// The middle of the joint goes along with half of the turn.
 		EXPECT_NEAR(stretch - double(fibre.m_y) * turn, double(reading.m_elongation), 2e-5) << k;
-		EXPECT_NEAR(double(reading.m_elongation - joint.getState().m_fibres[k].m_force / fibre.m_stiffness), double(reading.m_plastic), 1e-7)
+		EXPECT_NEAR(double(reading.m_elongation - joint.getState().m_fibres[k].m_force / fibre.m_stiffness),
+					double(reading.m_plastic), 1e-7)
 			<< k;
 		EXPECT_LE(reading.m_utilisation, btScalar(1.001));
 		force += double(reading.m_force);
@@ -284,4 +285,4 @@ TEST(FibreReadings, AreTheElongationAtTheirPlace)
 	EXPECT_EQ(0, joint.getFibre(-1).m_elongation);
 	EXPECT_EQ(0, joint.getFibre(17).m_elongation);
 }
-}  // namespace
+}  // namespace testFibreEvents

@@ -15,7 +15,7 @@
 #include "support/DirectSolver.h"
 #include "support/Run.h"
 
-namespace
+namespace testFibres
 {
 using namespace ep;
 
@@ -780,4 +780,4 @@ TEST(Fibres, AreSavedAndPutBackWithTheState)
 	wrong.m_fibres[3].m_offset = btScalar(NAN);
 	EXPECT_FALSE(held.m_joint->setState(wrong));
 }
-}  // namespace
+}  // namespace testFibres

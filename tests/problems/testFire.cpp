@@ -11,7 +11,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testFire
 {
 using namespace ep;
 
@@ -244,4 +244,4 @@ TEST(Fire, LeavesNothingAt1200Degrees)
 		EXPECT_STREQ("what heat leaves of stiffness", capacity(withFibres).heated(bad).fault().m_quantity);
 	}
 }
-}  // namespace
+}  // namespace testFire

@@ -16,7 +16,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testFrames
 {
 using namespace ep;
 typedef FrameStiffness::Six Six;
@@ -356,4 +356,4 @@ TEST(Frames, PortalsOfFewBlocksCollapseAtTheirLimitLoad)
 					<< "loads " << load[0] << ", " << load[1] << ", parts " << parts << ", factor " << factor;
 			}
 }
-}  // namespace
+}  // namespace testFrames

@@ -15,7 +15,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testHardBodies
 {
 using namespace ep;
 
@@ -238,4 +238,4 @@ TEST(HardBodies, BodyWithoutNumbersDoesNotSpoilOtherIslands)
 	EXPECT_TRUE(isFinite(*healthy));
 	EXPECT_NEAR(0, healthy->getCenterOfMassPosition().y(), 0.01);
 }
-}  // namespace
+}  // namespace testHardBodies

@@ -19,7 +19,7 @@
 #include "support/Pair.h"
 #include "support/Precision.h"
 
-namespace
+namespace testHardInput
 {
 using namespace ep;
 
@@ -698,4 +698,4 @@ TEST(HardInput, AKinematicBodyMayHaveAMass)
 	EXPECT_NEAR(1000, fabs(shear[0]), 10);
 	EXPECT_NEAR(shear[0], shear[1], 1000 * byPrecision(1e-9, 1e-4));
 }
-}  // namespace
+}  // namespace testHardInput

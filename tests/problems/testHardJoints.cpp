@@ -16,7 +16,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testHardJoints
 {
 using namespace ep;
 
@@ -299,4 +299,4 @@ TEST(HardJoints, RewindsAcrossABreak)
 	EXPECT_FALSE(joint->isBroken());
 	EXPECT_LT(pair.m_b->getCenterOfMassPosition().x(), 1.01);
 }
-}  // namespace
+}  // namespace testHardJoints

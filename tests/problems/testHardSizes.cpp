@@ -15,7 +15,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testHardSizes
 {
 using namespace ep;
 
@@ -87,4 +87,4 @@ TEST(HardSizes, ChainOfTwentyThousandJoints)
 	EXPECT_NEAR(-10. / 3600 * 6, last->getCenterOfMassPosition().y(), byPrecision(1e-6, 1e-4));
 	EXPECT_LT(peakMemory() - before, 400);
 }
-}  // namespace
+}  // namespace testHardSizes

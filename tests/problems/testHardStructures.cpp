@@ -15,7 +15,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testHardStructures
 {
 using namespace ep;
 
@@ -187,5 +187,4 @@ TEST(HardStructures, ASearchThatIsCutKeepsTheLawAndMakesNoEnergy)
 	for (btRigidBody* part : cantilever.m_member.m_parts)
 		EXPECT_TRUE(isFinite(*part));
 }
-
-}  // namespace
+}  // namespace testHardStructures

@@ -7,8 +7,9 @@
 
 #include "LinearMath/btScalar.h"
 #include "trials/Catalogue.h"
+#include "support/Repeats.h"
 
-namespace
+namespace testHardTrials
 {
 using namespace ep;
 
@@ -37,6 +38,8 @@ TEST_P(HardTrials, DirectSolverIsRight)
 /// Ten iterations do not hold a stiff structure; but they do not blow it up.
 TEST_P(HardTrials, IterationsStayFiniteAndCreateNoEnergy)
 {
+	if (GetParam().group == std::string("long times") && !repeats(1, 0))
+		GTEST_SKIP() << "takes long: with EP_LONG_TESTS only";
 	for (const Solver solver : {Solver::Iterative, Solver::Stock})
 	{
 		const Verdict verdict = GetParam().run(solver);
@@ -54,4 +57,4 @@ INSTANTIATE_TEST_SUITE_P(All, HardTrials, testing::ValuesIn(stabilityTrials()),
 												  : std::string(1, isalnum(static_cast<unsigned char>(c)) ? c : '_');
 							 return name;
 						 });
-}  // namespace
+}  // namespace testHardTrials

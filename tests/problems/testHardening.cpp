@@ -13,7 +13,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testHardening
 {
 using namespace ep;
 
@@ -290,4 +290,4 @@ TEST(Hardening, TellsWhatIsWrong)
 	bad.m_curvePoints[1].m_factor *= 2;
 	EXPECT_FALSE(good.isSameAs(bad));
 }
-}  // namespace
+}  // namespace testHardening

@@ -14,7 +14,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testPlasticBuckling
 {
 using namespace ep;
 
@@ -154,4 +154,4 @@ TEST(PlasticBuckling, AStrutOfOnePartCannot)
 	Strut strut(60, 1, Alloy::material(0));
 	EXPECT_GT(strut.press(3 * (exact / Alloy::YOUNGS + Alloy::plasticStrain(exact))), 1.5 * exact);
 }
-}  // namespace
+}  // namespace testPlasticBuckling

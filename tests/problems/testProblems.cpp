@@ -8,7 +8,7 @@
 #include "problems/Catalogue.h"
 #include "support/DirectSolver.h"
 
-namespace
+namespace testProblems
 {
 using namespace ep;
 
@@ -103,4 +103,4 @@ TEST(ProblemList, IsTestedWhole)
 	EXPECT_EQ(sizeof BOUNDS / sizeof *BOUNDS, problems().size());
 	EXPECT_EQ(nullptr, findProblem("no such problem"));
 }
-}  // namespace
+}  // namespace testProblems

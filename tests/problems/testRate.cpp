@@ -12,7 +12,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testRate
 {
 using namespace ep;
 
@@ -133,4 +133,4 @@ TEST(Rate, TellsWhatIsWrong)
 	capacity.m_fibres[3].m_rateExponent = 0;
 	EXPECT_STREQ("exponent of a fibre's rate", capacity.fault().m_quantity);
 }
-}  // namespace
+}  // namespace testRate

@@ -20,7 +20,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testRecordedResults
 {
 using namespace ep;
 
@@ -284,4 +284,4 @@ INSTANTIATE_TEST_SUITE_P(All, RecordedResults, testing::ValuesIn(RECORDS),
 							 return info.param.m_scene +
 									std::string(info.param.m_solver == Solver::Direct ? "_direct" : "_iterative");
 						 });
-}  // namespace
+}  // namespace testRecordedResults

@@ -12,7 +12,7 @@
 #include "problems/PlanarBlocks.h"
 #include "problems/Catalogue.h"
 
-namespace
+namespace testReferences
 {
 using namespace ep;
 
@@ -96,4 +96,4 @@ TEST(References, CantileverSwinging)
 	for (const PlanarBlocks::Joint& joint : row.joints)
 		EXPECT_EQ(0, joint.plastic[2]);
 }
-}  // namespace
+}  // namespace testReferences

@@ -13,8 +13,9 @@
 #include "support/DirectSolver.h"
 #include "support/SectionSurface.h"
 #include "world/EnergyAudit.h"
+#include "support/Repeats.h"
 
-namespace
+namespace testShearInteraction
 {
 using namespace ep;
 
@@ -247,14 +248,14 @@ SectionForces6 anyDirection(std::mt19937& random)
 
 TEST(ShearInteraction, IsRightInAllDirectionsOfAllSixForces)
 {
-	int directions = 2000;
+	int directions = repeats(2000, 500);
 	for (const Shape& shape : shapes())
 	{
 		std::mt19937 random(1);
 		const btElasticPlasticCapacity capacity = capacityOf(shape.m_section);
 		// Of other sizes of the same.
 		if (std::string(shape.m_name) == "square")
-			directions = 300;
+			directions = repeats(300, 100);
 		double least = 2, most = 0;
 		for (int i = 0; i < directions; ++i)
 		{
@@ -297,7 +298,7 @@ TEST(ShearInteraction, IsRightInSectionsThatAreNotSymmetric)
 		}
 		std::mt19937 random(1);
 		double least = 2, most = 0;
-		for (int i = 0; i < 2000; ++i)
+		for (int i = 0; i < repeats(2000, 500); ++i)
 		{
 			Loaded loaded(capacity);
 			const double share = shareBorne(loaded, scaledToSurface(exact, alone, anyDirection(random)));
@@ -512,4 +513,4 @@ TEST(ShearInteraction, ABlowAcrossIsStoppedAsByTheFlowOfTheSurface)
 		EXPECT_LT(errors[1][1], 0.35 * errors[0][1]);
 	}
 }
-}  // namespace
+}  // namespace testShearInteraction

@@ -12,7 +12,7 @@
 #include "support/Run.h"
 #include "world/Place.h"
 
-namespace
+namespace testSoftening
 {
 using namespace ep;
 
@@ -173,4 +173,4 @@ TEST(Softening, TellsWhatIsWrong)
 	bad.m_hardening.push_back({btScalar(0.1), btScalar(40e6)});
 	EXPECT_STREQ("fracture energy [J/m^2]", bad.fault().m_quantity);
 }
-}  // namespace
+}  // namespace testSoftening

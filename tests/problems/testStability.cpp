@@ -13,7 +13,7 @@
 #include "support/Precision.h"
 #include "support/Run.h"
 
-namespace
+namespace testStability
 {
 using namespace ep;
 
@@ -362,4 +362,4 @@ TEST(Stability, AStringRingsAtItsFrequency)
 			EXPECT_NEAR(period, found, 0.012 * period) << blocks << " blocks, period " << period;
 		}
 }
-}  // namespace
+}  // namespace testStability

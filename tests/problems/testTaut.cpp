@@ -20,7 +20,7 @@
 #include "support/Run.h"
 #include "world/EnergyAudit.h"
 
-namespace
+namespace testTaut
 {
 using namespace ep;
 
@@ -663,4 +663,4 @@ TEST(Taut, NoSolverFeedsARope)
 								<< " kg, " << links << " links, bending " << int(bending) << ", rate " << rate;
 						}
 }
-}  // namespace
+}  // namespace testTaut

@@ -10,6 +10,8 @@
 #include "support/SilentPanel.h"
 #include "view/Scene.h"
 
+namespace testCharpyScene
+{
 using namespace ep;
 using namespace ep::charpy;
 
@@ -68,8 +70,6 @@ TEST(Charpy, WindowsKeysChangeTheTest)
 	EXPECT_NEAR(inImpact('.'), inImpact(' ') * 2, 1e-9);
 }
 
-namespace
-{
 /// A person who moves one slider and lets go, or presses a button.
 struct OneHand : SilentPanel
 {
@@ -87,7 +87,6 @@ struct OneHand : SilentPanel
 	}
 	using SilentPanel::slider;
 };
-}  // namespace
 
 TEST(Charpy, WindowsPanelChangesTheTest)
 {
@@ -109,3 +108,4 @@ TEST(Charpy, WindowsPanelChangesTheTest)
 	scene.panel(0, hand);
 	EXPECT_EQ(low.friction, scene.charpy().settings().friction);
 }
+}  // namespace testCharpyScene

@@ -9,10 +9,10 @@
 #include "view/DemolisherScene.h"
 #include "programs/OneScene.h"
 
+namespace testDemolisherCameras
+{
 using namespace ep;
 
-namespace
-{
 /// Where points come to lie in a picture: from 0 on its left and lower edge to 1 on the others.
 class Picture
 {
@@ -62,7 +62,6 @@ Bounds box(const btVector3& low, const btVector3& high)
 }
 
 const double ROUNDING = 1e-4;  // of a picture's width, in float
-}  // namespace
 
 TEST(Cameras, FrameAllOfTheBoundsInWhatPanelsLeave)
 {
@@ -161,3 +160,4 @@ TEST(Demolisher, WreckIsWhereItWasBuilt)
 	EXPECT_NEAR(double(wreck.centre().x()), place, 40);
 	EXPECT_GT(double(wreck.size().length()), 4) << "there is something to see";
 }
+}  // namespace testDemolisherCameras

@@ -9,10 +9,10 @@
 #include "view/DemolisherScene.h"
 #include "programs/OneScene.h"
 
+namespace testDemolisherScene
+{
 using namespace ep;
 
-namespace
-{
 /// Does one thing in a panel: presses or changes what has a label.
 class Finger : public Panel
 {
@@ -82,7 +82,6 @@ Finger touch(DemolisherScene& scene, const char* label, double value)
 	EXPECT_EQ(finger.m_touched, 1) << label;
 	return finger;
 }
-}  // namespace
 
 TEST(Demolisher, PanelChangesWhatItSays)
 {
@@ -280,3 +279,4 @@ TEST(Demolisher, HandPullsWhatItMeetsAndChoosesItsJoint)
 	EXPECT_TRUE(std::any_of(finger.m_lines.begin(), finger.m_lines.end(),
 							[&](const std::string& line) { return line.find(name) != std::string::npos; }));
 }
+}  // namespace testDemolisherScene

@@ -10,10 +10,10 @@
 #include "effects/Effects.h"
 #include "world/Charge.h"
 
+namespace testEffects
+{
 using namespace ep;
 
-namespace
-{
 const btScalar STEP = btScalar(1) / 240;
 
 /// A ball above the ground.
@@ -43,7 +43,6 @@ struct Fall
 		return all;
 	}
 };
-}  // namespace
 
 TEST(Effects, BlowHasTheEnergyOfWhatStrikes)
 {
@@ -109,3 +108,4 @@ TEST(Charge, GivesTheImpulseOfItsWave)
 	EXPECT_NEAR(double(far->getLinearVelocity().x()), area, 1e-3);
 	EXPECT_EQ(fall.ball->getLinearVelocity().x(), 0);
 }
+}  // namespace testEffects

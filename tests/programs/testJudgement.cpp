@@ -9,10 +9,10 @@
 
 #include "judge/Judgement.h"
 
-namespace ep
+namespace testJudgement
 {
-namespace
-{
+using namespace ep;
+
 /// One second in substeps of 1/60 s, with what it took [s] and its error.
 Record recordOf(int substeps, double runTime, double error, ReportSolver solver = ReportSolver::Direct)
 {
@@ -91,5 +91,4 @@ TEST(Judgement, OrderIsTheSlope)
 				1e-12);  // exact but for rounding
 	EXPECT_TRUE(std::isnan(orderOf(pointersTo(records), {Scheme::Default, ReportSolver::Stock})));
 }
-}  // namespace
-}  // namespace ep
+}  // namespace testJudgement

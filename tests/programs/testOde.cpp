@@ -19,7 +19,7 @@
 #include "support/Precision.h"
 #include "problems/Catalogue.h"
 
-namespace
+namespace testOde
 {
 using namespace ep;
 using nlohmann::json;
@@ -121,4 +121,4 @@ TEST(Ode, IsRecordedLikeTheOthersInItsOwnPrecision)
 	}
 	EXPECT_TRUE(odeSettings("portal-sway", 60, 1, true).empty());
 }
-}  // namespace
+}  // namespace testOde

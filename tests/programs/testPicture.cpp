@@ -9,10 +9,10 @@
 
 #include "picture/Picture.h"
 
+namespace testPicture
+{
 using namespace ep;
 
-namespace
-{
 const int WIDTH = 320, HEIGHT = 180;
 
 /// A red box before the sky.
@@ -27,7 +27,6 @@ View boxView()
 }
 
 int channel(const Image& image, int x, int y, int c) { return image.pixels[size_t(3 * (y * image.width + x) + c)]; }
-}  // namespace
 
 TEST(Picture, IsDrawnWithoutADisplayAndTheSameEachTime)
 {
@@ -61,3 +60,4 @@ TEST(Picture, DustHidesInPartAndSparksGlow)
 	view.puffs = {{before, btVector3(1, 0, 0), .3f, {4, 1.9f, .5f}, 1}};
 	EXPECT_GT(channel(drawPicture(view, WIDTH, HEIGHT), x, y, 0), 240);
 }
+}  // namespace testPicture

@@ -5,16 +5,15 @@
 
 #include "viewer/Quality.h"
 
+namespace testQuality
+{
 using namespace ep;
 
-namespace
-{
 void draw(Quality& quality, int pictures, double seconds)
 {
 	for (int i = 0; i < pictures; ++i)
 		quality.drawn(seconds);
 }
-}  // namespace
 
 TEST(Quality, FallsStepByStepWhereDrawingIsSlow)
 {
@@ -42,3 +41,4 @@ TEST(Quality, OneSlowPictureIsNothing)
 	}
 	EXPECT_EQ(Quality::FINE, quality.level());
 }
+}  // namespace testQuality

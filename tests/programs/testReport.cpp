@@ -19,7 +19,7 @@
 #include <sstream>
 #include <string>
 
-namespace
+namespace testReport
 {
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -410,4 +410,4 @@ TEST_F(Report, EndsWhenItIsInterrupted)
 	EXPECT_NE(std::string::npos, ended.output.find("interrupted")) << ended.output;
 	EXPECT_TRUE(fs::is_empty(m_folder / "out" / "cases"));
 }
-}  // namespace
+}  // namespace testReport

@@ -12,10 +12,10 @@
 #include "Browser.h"
 #include "support/SilentPanel.h"
 
+namespace testSamples
+{
 using namespace ep;
 
-namespace
-{
 std::vector<SampleGroup> samples() { return allSamples({}, EP_SCENES); }
 
 /// Clicks on a line of a list.
@@ -38,7 +38,6 @@ SampleGroup broken()
 	return {"Broken",
 			{{"broken", "", []() -> std::unique_ptr<ViewedScene> { throw std::runtime_error("it is not there"); }}}};
 }
-}  // namespace
 
 TEST(Samples, AreAllKindsWithALineAndANameOfTheirOwn)
 {
@@ -165,3 +164,4 @@ TEST(Samples, BoundsAreTheStructuresWithoutTheGround)
 		EXPECT_GT(bounds.low.y(), -.5) << name;
 	}
 }
+}  // namespace testSamples

@@ -15,10 +15,10 @@
 #include "sound/Speaker.h"
 #include "sound/Voice.h"
 
+namespace testSound
+{
 using namespace ep;
 
-namespace
-{
 const int RATE = 44100;
 const Burst::Kind KINDS[] = {Burst::Kind::Break, Burst::Kind::Blow, Burst::Kind::Charge};
 
@@ -29,7 +29,6 @@ double strongest(std::vector<float>::const_iterator from, std::vector<float>::co
 		most = std::max(most, std::fabs(double(*from)));
 	return most;
 }
-}  // namespace
 
 TEST(Voice, IsHeardAndDiesAway)
 {
@@ -92,3 +91,4 @@ TEST(Speaker, PlaysWithoutADevice)
 	std::filesystem::remove_all(folder);
 #endif
 }
+}  // namespace testSound

@@ -11,10 +11,10 @@
 #include "gltf/GltfFilm.h"
 #include "scenes/Scenes.h"
 
+namespace testBlender
+{
 using namespace ep;
 
-namespace
-{
 nlohmann::json listOf(const btVector3& v) { return {double(v.x()), double(v.y()), double(v.z())}; }
 
 nlohmann::json listOf(const btTransform& pose)
@@ -67,7 +67,6 @@ double numberAfter(const std::string& words, const std::string& text)
 	const size_t place = text.find(words);
 	return place == std::string::npos ? std::nan("") : std::atof(text.c_str() + place + words.size());
 }
-}  // namespace
 
 TEST(Blender, ShowsPosesAndBentMembersAsTheyWere)
 {
@@ -144,3 +143,4 @@ TEST(Blender, ExportsModelsThatBecomeScenes)
 		EXPECT_NEAR(joint.width, .4, 1e-5);
 	}
 }
+}  // namespace testBlender

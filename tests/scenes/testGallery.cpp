@@ -8,10 +8,10 @@
 #include "scenes/ExpectedRun.h"
 #include "scenes/Scenes.h"
 
+namespace testGallery
+{
 using namespace ep;
 
-namespace
-{
 namespace fs = std::filesystem;
 
 const fs::path FOLDER = fs::path(EP_SOURCE_DIR) / "examples" / "scenes";
@@ -30,7 +30,6 @@ std::vector<std::string> galleryScenes()
 class Gallery : public testing::TestWithParam<std::string>
 {
 };
-}  // namespace
 
 TEST_P(Gallery, RunsAsExpectedAndMakesNoEnergy)
 {
@@ -88,3 +87,4 @@ TEST(GalleryPage, ShowsAllScenesEachOfOneScreen)
 			<< name;
 	}
 }
+}  // namespace testGallery

@@ -15,10 +15,10 @@
 #include "scenes/Scenes.h"
 #include "support/Precision.h"
 
+namespace testGltf
+{
 using namespace ep;
 
-namespace
-{
 using ShapeKind = SceneDescription::ShapeKind;
 
 tinygltf::Model readBack(const std::string& file)
@@ -62,7 +62,6 @@ double volumeOf(const Triangles& t)
 		volume += double(t.corners[i].dot(t.corners[i + 1].cross(t.corners[i + 2]))) / 6;
 	return volume;
 }
-}  // namespace
 
 TEST(Triangles, EncloseTheirShapesFromOutside)
 {
@@ -171,8 +170,6 @@ TEST(Gltf, TracksOfBodiesAreTheirPoses)
 	EXPECT_EQ(std::count(told.begin(), told.end(), "break"), 1);
 }
 
-namespace
-{
 btTransform poseAt(const tinygltf::Model& model, int node, size_t picture)
 {
 	const std::vector<float> place = trackOf(model, node, "translation"), turn = trackOf(model, node, "rotation");
@@ -263,7 +260,6 @@ std::string filmOfBeam(const TemporaryFolder& folder, double size, std::vector<d
 	film.write(file);
 	return file;
 }
-}  // namespace
 
 TEST(Gltf, MembersBendAndDoNotGapBeforeTheyTear)
 {
@@ -311,3 +307,4 @@ TEST(Gltf, CannotBeWrittenNowhere)
 	Simulation s(sceneOf(""));
 	EXPECT_THROW(GltfFilm(s).write("/dev/null/film.glb"), std::runtime_error);
 }
+}  // namespace testGltf

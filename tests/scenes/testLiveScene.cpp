@@ -7,10 +7,10 @@
 #include "sceneview/LiveScene.h"
 #include "support/SilentPanel.h"
 
+namespace testLiveScene
+{
 using namespace ep;
 
-namespace
-{
 /// A mast that is fixed to the ground and is removed after 2 s, and a stone beside it.
 std::string mastIn(const TemporaryFolder& folder)
 {
@@ -29,7 +29,6 @@ struct FigureReader : SilentPanel
 
 	std::vector<Figure> figures;
 };
-}  // namespace
 
 TEST(LiveScene, ShowsTheSectionThatYieldsFirst)
 {
@@ -134,3 +133,4 @@ TEST(LiveScene, MouseThrowsBalls)
 	ASSERT_EQ(scene.simulation().scene().bodies.size(), before + 1);
 	EXPECT_NEAR(double(scene.simulation().body(int(before))->getLinearVelocity().x()), 25, .1);
 }
+}  // namespace testLiveScene

@@ -9,14 +9,13 @@
 #include "scenes/ExpectedRun.h"
 #include "scenes/Scenes.h"
 
+namespace testMeasured
+{
 using namespace ep;
 
-namespace
-{
 class Measured : public testing::TestWithParam<const char*>
 {
 };
-}  // namespace
 
 TEST_P(Measured, RunsAsExpected)
 {
@@ -35,3 +34,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Measured,
 							 std::replace(name.begin(), name.end(), '-', '_');
 							 return name;
 						 });
+}  // namespace testMeasured

@@ -16,10 +16,10 @@
 #include "scenes/Scenes.h"
 #include "simulation/Simulation.h"
 
+namespace testModel
+{
 using namespace ep;
 
-namespace
-{
 typedef std::vector<float> Points;  // x, y, z of one after another
 
 /// A model as Blender exports it: a node for each piece, with its mesh, its place and its custom properties.
@@ -108,7 +108,6 @@ std::string epBuild(const std::string& arguments, int status = 0)
 }
 
 SceneDescription sceneIn(const std::string& file) { return describeScene(SceneText::read(file)); }
-}  // namespace
 
 TEST(EpBuild, MakesBodiesAndJointsThatBear)
 {
@@ -246,8 +245,6 @@ TEST(EpBuild, RefusesWhatIsNoPieceAndNamesIt)
 		epBuild(folder.write("cut.glb", whole.substr(0, length)) + out, 1);
 }
 
-namespace
-{
 /// A scene in which a ball falls on what a file holds.
 std::string slopeScene(const TemporaryFolder& folder, const std::string& mesh)
 {
@@ -256,7 +253,6 @@ std::string slopeScene(const TemporaryFolder& folder, const std::string& mesh)
 										  mesh + R"(", "motion": "static", "at": [0, -1, 0]},
 			{"name": "ball", "sphere": 0.2, "at": [0.3, 1, 0.5]}]})");
 }
-}  // namespace
 
 TEST(MeshFile, IsWhatBodiesStandOn)
 {
@@ -335,3 +331,4 @@ TEST(MeshFile, SpoiltOnesAreReadOrRefusedWithAMessage)
 	EXPECT_GT(refused, cases / 10);
 	EXPECT_LT(refused, cases);
 }
+}  // namespace testModel

@@ -16,10 +16,10 @@
 #include "run/CaseTable.h"
 #include "scenes/Scenes.h"
 
+namespace testRunner
+{
 using namespace ep;
 
-namespace
-{
 const char* const FALL =
 	R"({"version": 1, "title": "fall", "parameters": {"g": 10}, "world": {"gravity": [0, "=-g", 0], "step": 0.01},
 	"bodies": [{"name": "box", "box": [1, 1, 1]}], "end": {"time": 1},
@@ -54,7 +54,6 @@ size_t linesOf(const std::string& file)
 	const std::string text = textOf(file);
 	return size_t(std::count(text.begin(), text.end(), '\n'));
 }
-}  // namespace
 
 TEST(EpRun, WritesTablesAndASummary)
 {
@@ -229,3 +228,4 @@ TEST(Shards, ShareAllCasesOut)
 	for (const char* shard : {"0/3", "4/3", "1/0", "a", "1/3x", "1"})
 		EXPECT_THROW(shardOf(10, shard), std::runtime_error) << shard;
 }
+}  // namespace testRunner

@@ -5,6 +5,8 @@
 
 #include "scenes/Scenes.h"
 
+namespace testSceneFile
+{
 using namespace ep;
 
 // ---- what is told: file, line, path, value, and what is allowed
@@ -295,3 +297,4 @@ TEST(SceneSchema, IsTheOneInTheDocs)
 	const std::string documented((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
 	EXPECT_EQ(documented, sceneSchema()) << "ep-run --schema makes it anew";
 }
+}  // namespace testSceneFile

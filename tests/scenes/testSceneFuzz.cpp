@@ -11,10 +11,10 @@
 #include "scenes/Scenes.h"
 #include "simulation/Probes.h"
 
+namespace testSceneFuzz
+{
 using namespace ep;
 
-namespace
-{
 typedef std::mt19937 Random;
 
 size_t below(Random& random, size_t n) { return n == 0 ? 0 : random() % n; }
@@ -149,7 +149,6 @@ std::string somePath(Random& random, const std::string& text)
 	}
 	return path;
 }
-}  // namespace
 
 TEST(SceneFuzz, SpoiltFilesAreReadOrRefusedWithAMessage)
 {
@@ -199,3 +198,4 @@ TEST(SceneFuzz, SpoiltIncludesAndSettingsAreReadOrRefusedWithAMessage)
 	EXPECT_GT(refused, cases / 5);
 	EXPECT_GT(computed, cases / 20);
 }
+}  // namespace testSceneFuzz

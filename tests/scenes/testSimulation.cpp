@@ -12,10 +12,10 @@
 #include "simulation/Probes.h"
 #include "support/Precision.h"
 
+namespace testSimulation
+{
 using namespace ep;
 
-namespace
-{
 /// Rounding of coordinates of some metres, in a sum of some terms.
 const double ROUNDING = byPrecision(1e-12, 1e-5);
 
@@ -34,7 +34,6 @@ void run(Simulation& s)
 }
 
 double probe(Simulation& s, size_t index = 0) { return readProbe(s, s.scene().probes[index]); }
-}  // namespace
 
 // ---- bodies
 
@@ -518,8 +517,6 @@ TEST(SceneJoints, AreCutByEvents)
 
 // ---- generators
 
-namespace
-{
 SceneDescription structure(const std::string& generator, const std::string& more = "")
 {
 	return sceneOf(R"("materials": {"m": {"youngs_modulus": 200e9, "density": 1000, "yield_stress": 1e12}},
@@ -534,7 +531,6 @@ double massOf(const SceneDescription& scene)
 		mass += body.mass;
 	return mass;
 }
-}  // namespace
 
 TEST(SceneGenerators, MakeTheMassThatTheySay)
 {
@@ -609,3 +605,4 @@ TEST(SceneGenerators, RefuseMembersThatLeaveNoLength)
 			}),
 		{"structures.f.frame", "members as thick as 3 m"});
 }
+}  // namespace testSimulation

@@ -8,10 +8,10 @@
 #include "simulation/StateFile.h"
 #include "support/Precision.h"
 
+namespace testState
+{
 using namespace ep;
 
-namespace
-{
 /// A beam that is bent until it breaks off and falls onto the ground, while a ball comes, a block leaves, and a joint of it and
 /// one of Bullet's own are cut.
 const char* const HAPPENINGS = R"("world": {"ground": true, "ramp": 0.2, "error": 0.02, "sleeps": true},
@@ -53,7 +53,6 @@ void stepTo(Simulation& s, double time)
 	while (s.time() < time)
 		s.step();
 }
-}  // namespace
 
 /// HAPPENINGS as it is, or with a beam whose section is cut into fibres.
 class SceneStates : public testing::TestWithParam<bool>
@@ -226,3 +225,4 @@ TEST(SceneLoads, MayBeAddedAndChangeInASubstep)
 	s.step();
 	EXPECT_NEAR(double(s.body(0)->getLinearVelocity().x()), 1.5, byPrecision(1e-12, 1e-4));
 }
+}  // namespace testState

@@ -8,10 +8,10 @@
 #include "simulation/StateFile.h"
 #include "support/Precision.h"
 
+namespace testVehicles
+{
 using namespace ep;
 
-namespace
-{
 double probe(Simulation& s, size_t index = 0) { return readProbe(s, s.scene().probes[index]); }
 
 void stepTo(Simulation& s, double time)
@@ -24,7 +24,6 @@ const char* const PLACES =
 	R"("probes": [{"name": "x", "of": "truck", "measure": "position", "axis": "x"}, {"name": "y", "of": "truck", "measure": "position", "axis": "y"},
 		{"name": "z", "of": "truck", "measure": "position", "axis": "z"}, {"name": "speed", "of": "truck", "measure": "velocity", "axis": "length"},
 		{"name": "turn", "of": "truck", "measure": "turn", "axis": "y"}])";
-}  // namespace
 
 TEST(SceneVehicles, StandOnWhatFeelsTheirWeight)
 {
@@ -184,3 +183,4 @@ TEST(SceneVehicles, AreRefusedWithAMessage)
 					}),
 				{"truck", "wall", "deep"});
 }
+}  // namespace testVehicles

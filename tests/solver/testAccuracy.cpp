@@ -18,7 +18,7 @@
 #include "support/Precision.h"
 #include "support/Run.h"
 
-namespace
+namespace testAccuracy
 {
 using namespace ep;
 
@@ -273,4 +273,4 @@ TEST(Accuracy, RigidPlasticCantileverBendsAsParkesSays)
 	EXPECT_NEAR(1, rest.m_rootRotation / cantilever.exactRootRotation(), 0.15);
 	EXPECT_EQ(0, statisticsOf(cantilever.m_world).m_fallbacks);
 }
-}  // namespace
+}  // namespace testAccuracy

@@ -9,7 +9,7 @@
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/AdmissibleBox.h"
 
-namespace
+namespace testAdmissibleBox
 {
 using btElasticPlastic::AdmissibleBox;
 using btElasticPlastic::SystemInput;
@@ -68,4 +68,4 @@ TEST(AdmissibleBox, ImpulsesAreTheGradientOfThePotential)
 		}
 	EXPECT_TRUE(isFree && isBounded);
 }
-}  // namespace
+}  // namespace testAdmissibleBox

@@ -12,7 +12,7 @@
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/System.h"
 
-namespace
+namespace testCondensation
 {
 using btElasticPlastic::System;
 using btElasticPlastic::SystemInput;
@@ -182,4 +182,4 @@ TEST(Condensation, OtherCompliances)
 	ASSERT_TRUE(system.solveAgain(input, System::EXACT));
 	expectSameVelocity(Solved(input, false).m_velocity, system.getResult().m_velocity);
 }
-}  // namespace
+}  // namespace testCondensation

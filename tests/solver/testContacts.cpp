@@ -19,7 +19,7 @@
 #include "world/Place.h"
 #include "support/Run.h"
 
-namespace
+namespace testContacts
 {
 using namespace ep;
 
@@ -654,4 +654,4 @@ TEST(Contacts, APebbleUnderABeamIsNoJack)
 		EXPECT_LE(gain, 0.05) << overlap;
 	}
 }
-}  // namespace
+}  // namespace testContacts

@@ -15,7 +15,7 @@
 #include "support/Run.h"
 #include "world/EnergyAudit.h"
 
-namespace
+namespace testDestruction
 {
 using namespace ep;
 
@@ -303,4 +303,4 @@ TEST(Destruction, IsTheSameEachTime)
 	EXPECT_EQ(sums[0].y(), sums[1].y());
 	EXPECT_EQ(sums[0].z(), sums[1].z());
 }
-}  // namespace
+}  // namespace testDestruction

@@ -13,8 +13,9 @@
 #include "scenes/Member.h"
 #include "support/DirectSolver.h"
 #include "support/Precision.h"
+#include "support/Repeats.h"
 
-namespace
+namespace testDrops
 {
 using namespace ep;
 
@@ -107,7 +108,7 @@ private:
 /// \param innerError  for inner steps, 0: none
 void dropAll(double innerError)
 {
-	for (unsigned seed = 0; seed < 400; ++seed)
+	for (unsigned seed = 0; seed < unsigned(repeats(2000, 200)); ++seed)
 	{
 		RandomDrop drop(seed);
 		btElasticPlasticSolverSettings settings = solverOf(drop.m_world).getSettings();
@@ -162,4 +163,4 @@ TEST(Drops, PullAsHardAsInShortSteps)
 TEST(Drops, MakeNoEnergy) { dropAll(0); }
 
 TEST(Drops, MakeNoneInInnerSteps) { dropAll(0.05); }
-}  // namespace
+}  // namespace testDrops

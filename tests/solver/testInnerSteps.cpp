@@ -22,7 +22,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testInnerSteps
 {
 using namespace ep;
 
@@ -769,4 +769,4 @@ TEST(InnerSteps, SettingsOutOfRangeAreRefused)
 	settings.m_maxInnerWork = 0;
 	EXPECT_TRUE(settings.fault());
 }
-}  // namespace
+}  // namespace testInnerSteps

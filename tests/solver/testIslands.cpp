@@ -14,7 +14,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlastic6DofSpring2Constraint.h"
 #include "btBulletDynamicsCommon.h"
 
-namespace
+namespace testIslands
 {
 using btElasticPlastic::Islands;
 using btElasticPlastic::JointWorks;
@@ -170,4 +170,4 @@ TEST(Islands, HaveTheirOwnOrder)
 	EXPECT_EQ(forwards[0], row.islands(true)[0]);
 	EXPECT_EQ(first, row.m_islands.getIsland(0).m_constraints[0]);
 }
-}  // namespace
+}  // namespace testIslands

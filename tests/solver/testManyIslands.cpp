@@ -21,7 +21,7 @@
 #include "world/Place.h"
 #include "support/Run.h"
 
-namespace
+namespace testManyIslands
 {
 using namespace ep;
 
@@ -426,4 +426,4 @@ TEST(ManyIslands, SleepingStructureCostsNothingAndWakesAsItWas)
 	EXPECT_NEAR(sag, cantilever.sag(), 1e-3 * sag);
 	EXPECT_FALSE(cantilever.m_root->hasYielded());
 }
-}  // namespace
+}  // namespace testManyIslands

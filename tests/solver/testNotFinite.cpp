@@ -14,7 +14,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testNotFinite
 {
 using namespace ep;
 
@@ -94,4 +94,4 @@ TEST(NotFinite, IsNotWritten)
 		EXPECT_LT(pairs.m_bodies[1]->getLinearVelocity().length(), 1e-3);
 	}
 }
-}  // namespace
+}  // namespace testNotFinite

@@ -18,7 +18,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testSweptContacts
 {
 using namespace ep;
 
@@ -392,4 +392,4 @@ TEST(SweptContacts, AStackOfTwentyLeansAsWithTheStockSolver)
 	EXPECT_LE(leaning[1], 1.3 * leaning[0]);
 	EXPECT_LE(sunk[1], 1.5 * sunk[0]);
 }
-}  // namespace
+}  // namespace testSweptContacts

@@ -14,7 +14,7 @@
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/System.h"
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/SystemMatrix.h"
 
-namespace
+namespace testSystem
 {
 using btElasticPlastic::System;
 using btElasticPlastic::SystemInput;
@@ -528,4 +528,4 @@ TEST(System, ContactsAreHardAndFrictionIsBoundedByThem)
 		EXPECT_EQ(0, statistics.m_looseContacts);
 	}
 }
-}  // namespace
+}  // namespace testSystem

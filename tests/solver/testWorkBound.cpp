@@ -17,7 +17,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testWorkBound
 {
 using namespace ep;
 
@@ -196,4 +196,4 @@ TEST(WorkBound, GivesTheSameBitsAgain)
 	EXPECT_EQ(first.m_sum, second.m_sum);
 	EXPECT_EQ(first.m_mostWork, second.m_mostWork);
 }
-}  // namespace
+}  // namespace testWorkBound

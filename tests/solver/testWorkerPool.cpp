@@ -10,7 +10,7 @@
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/solver/WorkerPool.h"
 
-namespace
+namespace testWorkerPool
 {
 using btElasticPlastic::WorkerPool;
 
@@ -72,4 +72,4 @@ TEST(WorkerPool, ComesBackWithNothingToDo)
 	pool.run(task, 0);
 	EXPECT_EQ(0, task.m_runs[0].load());
 }
-}  // namespace
+}  // namespace testWorkerPool

@@ -17,8 +17,9 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 #include "support/Run.h"
+#include "support/Repeats.h"
 
-namespace
+namespace testStepControl
 {
 using namespace ep;
 
@@ -50,6 +51,10 @@ TEST(StepControl, KeepsToTheErrorThatIsAllowed)
 	{ return known.count(name) ? known.at(name) : other; };
 	for (const Problem& problem : problems())
 	{
+		// At 1 % portals take three quarters of the time: one stands for the other two.
+		const std::string name = problem.name;
+		if ((name == "portal-beam" || name == "portal-sway") && !repeats(1, 0))
+			continue;
 		const Outcome atTenPercent = solve(problem.name, 0.1), atOne = solve(problem.name, 0.01);
 		EXPECT_LT(atTenPercent.error(), boundOf(coarse, problem.name, 0.1))
 			<< problem.name << ", " << atTenPercent.worst().name;
@@ -418,4 +423,4 @@ TEST(StepControl, TakesNoMoreSubstepsThanItMay)
 	}
 	EXPECT_LT(body->getCenterOfMassPosition().y(), 0);
 }
-}  // namespace
+}  // namespace testStepControl

@@ -12,7 +12,7 @@
 #include "world/Place.h"
 #include "support/Run.h"
 
-namespace
+namespace testStepInput
 {
 using namespace ep;
 
@@ -134,4 +134,4 @@ TEST(StepInput, WhatBreaksMayBeDeletedBetweenSubsteps)
 	}
 	EXPECT_EQ(nullptr, remover.m_body);
 }
-}  // namespace
+}  // namespace testStepInput

@@ -13,7 +13,7 @@
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
-namespace
+namespace testStepper
 {
 using namespace ep;
 
@@ -57,4 +57,4 @@ TEST(Stepper, TellsWhatItLeavesOutAndKeepsToTheError)
 	stepper.step(btScalar(1) / 128);
 	EXPECT_EQ(time + 1. / 128, world.action().getTime());
 }
-}  // namespace
+}  // namespace testStepper

@@ -20,10 +20,11 @@
 #include "BulletSoftBody/btSoftRigidDynamicsWorld.h"
 #include "LinearMath/btThreads.h"
 #include "btBulletDynamicsCommon.h"
+#include "support/Run.h"
 
 namespace ep
 {
-const btScalar FRAME = btScalar(1) / 60, GRAVITY = 10;
+const btScalar GRAVITY = 10;
 
 enum class Kind
 {

@@ -8,12 +8,12 @@
 #include "world/JointReading.h"
 #include "world/World.h"
 
+namespace testBulletJoint
+{
 using namespace ep;
 
 // Bullet's own joints in place of ours, on a block that stands out from a wall: one arm, one known load.
 
-namespace
-{
 const btScalar LENGTH = 2, MASS = 100, GRAVITY = 10;
 const double MOMENT = double(MASS * GRAVITY * LENGTH / 2);  // at the wall [N m]
 
@@ -43,7 +43,6 @@ struct Arm
 	btRigidBody* m_arm;
 	btElasticPlasticJoint* m_joint;
 };
-}  // namespace
 
 TEST(BulletJoint, NamesAreUniqueAndFound)
 {
@@ -128,3 +127,4 @@ TEST(BulletJoint, MotorBrakesUpToThePlasticMoment)
 	EXPECT_TRUE(ductile.reading().isBroken);  // beyond 0.3 rad
 	EXPECT_LT(double(ductile.m_arm->getCenterOfMassPosition().y()), -3);
 }
+}  // namespace testBulletJoint
