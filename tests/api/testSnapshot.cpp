@@ -464,8 +464,21 @@ TEST(Snapshot, IsRefusedWhereTheBroadphaseHoldsWhatIsNoObjectOfTheWorld)
 	EXPECT_EQ(0, btElasticPlasticSave(scene.m_world.bullet(), broadphase, scene.m_world.action(), nullptr, 0));
 	const btElasticPlasticFault fault = restore(scene.m_world, bytes);
 	EXPECT_EQ(1, fault.m_value);
+	// In the place of one of the world's, the number is right again.
+	btCollisionObject& object = *scene.m_world.bullet().getCollisionObjectArray()[2];
+	broadphase.destroyProxy(object.getBroadphaseHandle(), scene.m_world.bullet().getDispatcher());
+	object.setBroadphaseHandle(nullptr);
+	EXPECT_EQ(0, btElasticPlasticSave(scene.m_world.bullet(), broadphase, scene.m_world.action(), nullptr, 0));
+	EXPECT_EQ(2, restore(scene.m_world, bytes).m_value);
+	// Without either there is still an object that has none; with its own all is well again, though in another order.
 	broadphase.destroyProxy(foreign, scene.m_world.bullet().getDispatcher());
-	EXPECT_FALSE(restore(scene.m_world, bytes));
+	EXPECT_EQ(1, restore(scene.m_world, bytes).m_value);
+	btVector3 low, high;
+	object.getCollisionShape()->getAabb(object.getWorldTransform(), low, high);
+	object.setBroadphaseHandle(broadphase.createProxy(low, high, object.getCollisionShape()->getShapeType(), &object,
+													  btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter,
+													  scene.m_world.bullet().getDispatcher()));
+	EXPECT_LT(0, btElasticPlasticSave(scene.m_world.bullet(), broadphase, scene.m_world.action(), nullptr, 0));
 }
 
 TEST(Snapshot, OfAnotherVersionOrPrecisionIsRefused)

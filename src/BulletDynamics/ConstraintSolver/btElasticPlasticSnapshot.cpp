@@ -22,10 +22,18 @@ struct Header
 	uint64_t m_checksum = 0;  ///< of what follows
 };
 
-/// What somebody else has put into a broadphase is neither saved nor put back.
+/// What somebody else has put into a broadphase is neither saved nor put back, and objects are found by what they have there.
+/// \return of proxies and objects those that have no partner
 int countOthers(const btDiscreteDynamicsWorld& world, const btDbvtBroadphase& broadphase)
 {
-	return broadphase.m_sets[0].m_leaves + broadphase.m_sets[1].m_leaves - world.getNumCollisionObjects();
+	const btCollisionObjectArray& objects = world.getCollisionObjectArray();
+	int numPairs = 0;
+	for (int i = 0; i < objects.size(); ++i)
+	{
+		const btBroadphaseProxy* const proxy = objects[i]->getBroadphaseHandle();
+		numPairs += proxy && proxy->m_clientObject == objects[i];
+	}
+	return broadphase.m_sets[0].m_leaves + broadphase.m_sets[1].m_leaves - numPairs + objects.size() - numPairs;
 }
 
 const char* const WHOLE = "that of a whole snapshot of this version and precision";
@@ -61,7 +69,8 @@ btElasticPlasticFault btElasticPlasticRestore(btDiscreteDynamicsWorld& world, bt
 	if (world.getBroadphase() != &broadphase)
 		return btElasticPlasticFault("number of broadphases", 2, "1: the world's own");
 	if (const int others = countOthers(world, broadphase))
-		return btElasticPlasticFault("number of what is in the broadphase and no object of the world", others, "0");
+		return btElasticPlasticFault("number of what is in the broadphase and no object of the world, or the reverse",
+									 others, "0");
 	Header header;
 	const Header own;
 	if (!buffer || size < int(sizeof header))

@@ -33,7 +33,7 @@ struct btDbvtBroadphase;
 /// \param action      of the world
 /// \param buffer      where the snapshot goes; null: nowhere
 /// \param capacity    of the buffer [bytes], >= 0. If the snapshot does not fit, what the buffer then holds is no snapshot
-/// \return the snapshot's length [bytes]; 0 if the broadphase is not the world's or holds what is no object of the world, or the
+/// \return the snapshot's length [bytes]; 0 if the broadphase is not the world's, holds what is no object of the world or lacks one, or if the
 /// snapshot would be longer than 2 GB
 int btElasticPlasticSave(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase, btElasticPlasticAction& action,
 						 void* buffer, int capacity, btElasticPlasticOwnPrecision = {});
