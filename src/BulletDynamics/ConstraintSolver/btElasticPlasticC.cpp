@@ -310,9 +310,11 @@ int btep_body_create(btep_world* world, const btep_body_description* description
 	else
 		made.m_shape.reset(new btSphereShape(btScalar(d.m_extent[0])));
 	btVector3 inertia(0, 0, 0);
-	if (d.m_mass > 0)
+	// By its bits: with -ffast-math processors take the least numbers for 0, and a body that was to move would stand.
+	const bool hasMass = btElasticPlasticMagnitudeBits(d.m_mass) != 0;
+	if (hasMass)
 		made.m_shape->calculateLocalInertia(btScalar(d.m_mass), inertia);
-	if (d.m_mass > 0 && !(hasInverse(btScalar(d.m_mass)) && hasInverse(inertia.x()) && hasInverse(inertia.y()) &&
+	if (hasMass && !(hasInverse(btScalar(d.m_mass)) && hasInverse(inertia.x()) && hasInverse(inertia.y()) &&
 						  hasInverse(inertia.z())))
 		return world->fail(
 			BTEP_BAD_VALUE,
