@@ -20,7 +20,7 @@
 #include <Eigen/SparseCholesky>
 #endif
 
-namespace
+namespace benchBlockFactor
 {
 using namespace ep;
 
@@ -180,4 +180,4 @@ int registerAll()
 }
 
 const int Registered = registerAll();
-}  // namespace
+}  // namespace benchBlockFactor

@@ -8,7 +8,7 @@
 
 #include "DestructionRun.h"
 
-namespace
+namespace benchDestruction
 {
 using namespace ep;
 
@@ -57,4 +57,4 @@ const bool IS_REGISTERED = []
 			->Unit(benchmark::kMillisecond);
 	return true;
 }();
-}  // namespace
+}  // namespace benchDestruction

@@ -10,7 +10,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "StiffStructure.h"
 
-namespace
+namespace benchDirect
 {
 using namespace ep;
 
@@ -99,4 +99,4 @@ EP_FIBRES(frame_elastic_8_fibres, Frame, false, 8, 40);
 EP_FIBRES(wall_elastic_8_fibres, Wall, false, 70, 40);
 EP_FIBRES(frame_collapsing_8_fibres, Frame, true, 8, 12);
 EP_FIBRES(wall_collapsing_8_fibres, Wall, true, 70, 12);
-}  // namespace
+}  // namespace benchDirect

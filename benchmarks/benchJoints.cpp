@@ -16,7 +16,7 @@
 #include "StiffStructure.h"
 #include "world/World.h"
 
-namespace
+namespace benchJoints
 {
 using namespace ep;
 
@@ -194,4 +194,4 @@ BENCHMARK_CAPTURE(Joints, chain, false)
 	->UseManualTime()
 	->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(Joints, wall, true)->Arg(100)->Arg(1000)->Arg(10000)->UseManualTime()->Unit(benchmark::kMillisecond);
-}  // namespace
+}  // namespace benchJoints

@@ -7,7 +7,7 @@
 
 #include "problems/Catalogue.h"
 
-namespace
+namespace benchProblems
 {
 using namespace ep;
 
@@ -49,4 +49,4 @@ const bool IS_REGISTERED = []
 				->Unit(benchmark::kMillisecond);
 	return true;
 }();
-}  // namespace
+}  // namespace benchProblems

@@ -11,7 +11,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticSnapshot.h"
 #include "StiffStructure.h"
 
-namespace
+namespace benchSnapshot
 {
 using namespace ep;
 
@@ -57,4 +57,4 @@ void Snapshot(benchmark::State& state)
 }
 
 BENCHMARK(Snapshot)->Args({16, 0})->Args({16, 1})->Iterations(50)->UseManualTime()->Unit(benchmark::kMicrosecond);
-}  // namespace
+}  // namespace benchSnapshot
