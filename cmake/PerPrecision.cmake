@@ -61,7 +61,7 @@ function(_ep_executable target precision)
 	set(mains ${arg_SOURCES})
 	list(FILTER mains INCLUDE REGEX "[mM]ain\\.cpp$")
 	set_source_files_properties(${mains} PROPERTIES COMPILE_OPTIONS $<$<AND:$<CONFIG:Release>,$<NOT:$<CXX_COMPILER_ID:MSVC>>>:-O0>)
-	set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+	set_target_properties(${target} PROPERTIES UNITY_BUILD OFF POSITION_INDEPENDENT_CODE OFF)
 	_ep_link(${target} PRIVATE ${precision} ${arg_LINK})
 endfunction()
 

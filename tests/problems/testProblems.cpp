@@ -63,7 +63,7 @@ const Bound BOUNDS[] = {
 	{"crack-opening", 0.003, 0.0003},
 	{"beam-held-pushed", 0.03, 0.025},
 	{"beam-held-struck", 0.1, 0.025},
-	{"body-flies-and-turns", 0.4, 0.4},
+	{"body-flies-and-turns", 0.05, 0.03},
 };
 
 class Problems : public testing::TestWithParam<Bound>

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
@@ -170,15 +169,12 @@ TEST(InnerSteps, AreNotThereForWhatNeedsNone)
 
 TEST(InnerSteps, KeepToTheErrorInProblemsAtTheGamesStep)
 {
-	// All quantities of all problems at 1/60 s. Left is what a body goes along the axis as it turns, for which it would take more fibres.
-	const std::map<std::string, double> hard = {{"body-flies-and-turns", 0.4}};
+	// All quantities of all problems at 1/60 s.
 	for (const Problem& problem : problems())
 	{
 		const Outcome outcome = problem.solve(Solver::Direct, innerStepsOf(1. / 60));
-		const auto found = hard.find(problem.name);
-		const double allowed = found == hard.end() ? ERROR_FOUND : found->second;
 		for (const Quantity& quantity : outcome.quantities)
-			EXPECT_LT(quantity.error(), allowed)
+			EXPECT_LT(quantity.error(), ERROR_FOUND)
 				<< problem.name << ", " << quantity.name << ": " << quantity.value << " instead of " << quantity.exact;
 		EXPECT_LT(outcome.energyCreated, 1e-3) << problem.name;
 	}
