@@ -91,9 +91,9 @@ bool isSound(const JointImage& image)
 		   image.m_state.m_fibres.size() == capacity.m_fibres.size() &&
 		   std::all_of(image.m_levels, image.m_levels + BT_EP_QUANTITY_COUNT, &Levels::isLevel) &&
 		   areBounds(image.m_lastBounds, image.m_lastFibreBounds, capacity) && image.m_innerLevel < 31 &&
-		   1 << image.m_innerLevel <= btElasticPlasticSolverSettings::MAX_INNER_STEPS && image.m_innerRinging >= 0 &&
-		   image.m_numUncommitted >= 0 && image.m_numUncommitted <= MOST_UNCOMMITTED && image.m_nextRequest >= 0 &&
-		   image.m_nextRequest <= 2;
+		   1 << image.m_innerLevel <= btElasticPlasticSolverSettings::MAX_INNER_STEPS &&
+		   btElasticPlasticIsFinite(image.m_innerRinging) && image.m_innerRinging >= 0 && image.m_numUncommitted >= 0 &&
+		   image.m_numUncommitted <= MOST_UNCOMMITTED && image.m_nextRequest >= 0 && image.m_nextRequest <= 2;
 }
 
 uint64_t keyOf(int first, int second) { return uint64_t(unsigned(first)) << 32 | unsigned(second); }
