@@ -250,4 +250,20 @@ TEST(Bonding, AJoinedWallStandsAndFallsWhenItIsWeakened)
 		world.action().removeJoint(joints[i]);
 	}
 }
+
+TEST(Bonding, BodiesThatAreNoneOrNowhereAreRefused)
+{
+	World world(Solver::Direct);
+	btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+	btRigidBody* bodies[3] = {world.body(5, cube, at(0)), world.body(5, cube, at(1)), world.body(5, cube, at(2))};
+	btTransform nowhere = at(1);
+	nowhere.getOrigin().setX(std::numeric_limits<btScalar>::quiet_NaN());
+	Faces faces;
+	bodies[1]->setWorldTransform(nowhere);
+	EXPECT_FALSE(Bonding::findFaces(bodies, 3, GAP, faces));
+	EXPECT_EQ(0, faces.size());
+	bodies[1] = nullptr;
+	EXPECT_FALSE(Bonding::findFaces(bodies, 3, GAP, faces));
+	EXPECT_EQ(0, faces.size());
+}
 }  // namespace testBonding

@@ -20,6 +20,7 @@
 #include "support/Run.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
+#include "support/Pair.h"
 
 namespace testDamping
 {
@@ -400,6 +401,29 @@ TEST(Damping, IsOnInMaterialsAndCanBeTurnedOff)
 		btElasticPlasticCapacity capacity = evenCapacity(1e6);
 		capacity.m_damping = btScalar(wrong);
 		EXPECT_STREQ("damping ratio", capacity.fault().m_quantity) << wrong;
+	}
+}
+
+TEST(Damping, OfNextToNothingHasEnergiesThatAreNumbers)
+{
+	for (const double ratio : {1e-7, 1e-10, 1e-20, 1e-37})
+	{
+		Pair pair(Solver::Direct);
+		btElasticPlasticCapacity capacity = evenCapacity(1e6);
+		capacity.m_damping = btScalar(ratio);
+		const btElasticPlasticJoint* joint = pair.join(capacity);
+		ASSERT_FALSE(joint->fault());
+		EXPECT_EQ(0, joint->getElasticEnergy());
+		pair.m_b->setLinearVelocity(btVector3(1, 0, 0));
+		const double first = pair.m_world.kineticEnergy();
+		for (int i = 0; i < 60; ++i)
+		{
+			pair.m_world.step(FRAME);
+			ASSERT_TRUE(btElasticPlasticIsFinite(joint->getElasticEnergy())) << ratio;
+			ASSERT_GE(joint->getElasticEnergy(), 0);
+			ASSERT_GE(joint->getDampingEnergy(), 0);
+			ASSERT_LT(joint->getDampingEnergy(), 1e-4 * first);
+		}
 	}
 }
 }  // namespace testDamping

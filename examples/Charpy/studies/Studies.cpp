@@ -177,10 +177,10 @@ Table maxRotation(const Settings& s)
 }
 }  // namespace
 
-std::vector<double> lossesOverShifts(Settings settings)
+std::vector<double> lossesOverShifts(Settings settings, int most)
 {
 	std::vector<double> losses;
-	for (int i = -20; i <= 20; ++i)
+	for (int i = -most; i <= most; ++i)
 	{
 		settings.shift = i * 1e-6;
 		losses.push_back(ImpactTest(settings).run().loss());

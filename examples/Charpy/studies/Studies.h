@@ -18,8 +18,8 @@ struct Study
 };
 const std::vector<Study>& studies();
 
-/// Loss of tests that differ in the hammer's place by up to 20 um, in 41 equal steps [J].
-std::vector<double> lossesOverShifts(Settings settings);
+/// Loss of tests whose hammers stand a micrometre from each other [J]. \param most  to either side of the place of the settings
+std::vector<double> lossesOverShifts(Settings settings, int most = 20);
 
 struct Spread
 {

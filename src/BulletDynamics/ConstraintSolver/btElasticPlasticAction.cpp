@@ -59,7 +59,10 @@ bool btElasticPlasticAction::repair(btDynamicsWorld& world, btElasticPlasticJoin
 
 int btElasticPlasticAction::getNumJoints() { return m_registry->getNumJoints(); }
 int btElasticPlasticAction::getNumBroken() const { return m_registry->getNumBroken(); }
-btElasticPlasticJoint* btElasticPlasticAction::getJoint(int index) { return &m_registry->getJoint(index).m_joint; }
+btElasticPlasticJoint* btElasticPlasticAction::getJoint(int index)
+{
+	return index >= 0 && index < getNumJoints() ? &m_registry->getJoint(index).m_joint : nullptr;
+}
 
 void btElasticPlasticAction::getJointsInWorld(const btDynamicsWorld& world,
 											  btAlignedObjectArray<btElasticPlasticJoint*>& joints)
@@ -112,6 +115,8 @@ void btElasticPlasticAction::updateAction(btCollisionWorld* world, btScalar time
 
 void btElasticPlasticAction::debugDraw(btIDebugDraw* drawer)
 {
+	if (!drawer)
+		return;
 	btAlignedObjectArray<btElasticPlastic::JointWorks*> joints;
 	m_registry->findDrawable(joints);
 	for (int i = 0; i < joints.size(); ++i)

@@ -66,7 +66,7 @@ public:
 	int getNumJoints();
 	int getNumBroken() const;
 
-	/// Joints in the order they were added; broken ones come last, in the order they broke.
+	/// Joints in the order they were added; broken ones come last, in the order they broke. \return null where there is none
 	btElasticPlasticJoint* getJoint(int index);
 
 	/// Joints known here that hold and are in a world, in the order they were added. Unlike those of getJoint() they have their

@@ -37,6 +37,13 @@ struct Piece
 /// Normals of one side deviate by rounding, those of two sides by more than this cosine tells (0.8 degrees).
 const btScalar SAME_DIRECTION = btScalar(0.9999);
 
+bool isFinite(const btTransform& pose)
+{
+	const btMatrix3x3& basis = pose.getBasis();
+	const btVector3 sum = basis[0] + basis[1] + basis[2] + pose.getOrigin();
+	return btElasticPlasticIsFinite(double(sum.x() + sum.y() + sum.z()));
+}
+
 /// Two vectors across a normal, right-handed with it.
 void makeAxes(const btVector3& normal, btVector3& u, btVector3& v) { btPlaneSpace1(normal, u, v); }
 
@@ -54,6 +61,8 @@ Polygon hullInPlane(std::vector<btVector3> points, const btVector3& normal)
 			  [&](const btVector3& a, const btVector3& b)
 			  { return a.dot(u) != b.dot(u) ? a.dot(u) < b.dot(u) : a.dot(v) < b.dot(v); });
 	Polygon hull;
+	if (points.empty())
+		return hull;
 	for (int pass = 0; pass < 2; ++pass)
 	{
 		const size_t begin = hull.size();
@@ -287,6 +296,9 @@ bool btElasticPlasticBonding::findFaces(btRigidBody* const* bodies, int numBodie
 	if (!(gap > 0) || !btElasticPlasticIsFinite(double(gap)))
 		return false;
 	std::vector<Piece> pieces;
+	for (int i = 0; i < numBodies; ++i)
+		if (!bodies[i] || !isFinite(bodies[i]->getCenterOfMassTransform()))
+			return false;
 	for (int i = 0; i < numBodies; ++i)
 		addPieces(*bodies[i], *bodies[i]->getCollisionShape(), bodies[i]->getCenterOfMassTransform(), pieces);
 	// Bodies are given in any order, and so are the joints found; only what overlaps along x is compared.

@@ -36,7 +36,7 @@ struct btElasticPlasticBonding
 	/// Finds all faces between the given bodies, of which at least one has to move.
 	/// \param gap  the largest distance between two faces that counts as touching, and how deep they may overlap [m], > 0; the
 	///             collision margins of hulls are taken for what they are, a part of the body
-	/// \return false, with no faces, if the gap is not finite and greater than 0
+	/// \return false, with no faces, if the gap is not finite and greater than 0, or a body is null or its place not finite
 	static bool findFaces(btRigidBody* const* bodies, int numBodies, btScalar gap,
 						  btAlignedObjectArray<btElasticPlasticFace>& faces);
 

@@ -356,7 +356,7 @@ btScalar btElasticPlasticCapacity::elasticMiddle(int shear) const
 
 btScalar btElasticPlasticCapacity::elasticDeformation(const btScalar force[BT_EP_DOF_COUNT], int dof) const
 {
-	if (!(m_stiffness[dof] > 0))
+	if (!btElasticPlasticIsDof(dof) || !(m_stiffness[dof] > 0))
 		return 0;
 	const btScalar own = force[dof] / m_stiffness[dof], coupling = couplingCompliance(dof);
 	return coupling != 0 ? own + coupling * force[coupledWith(dof)] : own;

@@ -238,6 +238,13 @@ int btElasticPlasticJoint::getNumCommittedRows() const { return m_works->m_step.
 void btElasticPlasticJoint::getCommittedRow(int r, int& dof, btScalar& rateBefore, btScalar& rateAfter) const
 {
 	const JointStep& step = m_works->m_step;
+	const bool isThere = r >= 0 && r < step.getNumCommittedRows();
+	if (!isThere)
+	{
+		dof = 0;
+		rateBefore = rateAfter = 0;
+		return;
+	}
 	dof = step.getDof(r);
 	rateBefore = step.getRateBefore(r);
 	rateAfter = step.getRateAfter(r);

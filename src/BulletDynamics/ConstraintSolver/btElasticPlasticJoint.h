@@ -130,7 +130,7 @@ public:
 	double getWork() const;
 
 	/// The number of the joint's rows in the last substep, 0 if it had no part in it; and of each row the degree of freedom,
-	/// and the rate at which its deformation grew before and after the substep [m/s], [rad/s]. See
+	/// and the rate at which its deformation grew before and after the substep [m/s], [rad/s]; of a row that there is not, 0. See
 	/// btElasticPlasticStepControl.h.
 	int getNumCommittedRows() const;
 	void getCommittedRow(int r, int& dof, btScalar& rateBefore, btScalar& rateAfter) const;

@@ -17,7 +17,7 @@ namespace btElasticPlastic
 namespace
 {
 const char BLOCK_MARK[8] = {'b', 't', 'E', 'P', 'j', 'o', 'i', 'n'};
-const uint32_t BLOCK_VERSION = 7;
+const uint32_t BLOCK_VERSION = 8;
 
 /// Before what a block holds.
 struct BlockHeader

@@ -13,7 +13,6 @@ namespace
 {
 /// The sum of numbers is finite only if all of them are.
 bool isSumFinite(const btVector3& sum) { return btElasticPlasticIsFinite(sum.x() + sum.y() + sum.z()); }
-}  // namespace
 
 bool isFinite(const btRigidBody& body)
 {
@@ -23,6 +22,19 @@ bool isFinite(const btRigidBody& body)
 					   body.getTotalTorque() + body.getLinearFactor() + body.getAngularFactor() + place.getOrigin() +
 					   basis[0] + basis[1] + basis[2] + inertia[0] + inertia[1] + inertia[2]) &&
 		   btElasticPlasticIsFinite(body.getInvMass());
+}
+
+/// Whether a finite basis is that of a rotation, within a per cent: no axis is longer, and they span a cube.
+bool isRotation(const btMatrix3x3& basis)
+{
+	const btScalar longest = btMax(basis[0].length2(), btMax(basis[1].length2(), basis[2].length2()));
+	return longest < btScalar(1.02) && basis.determinant() > btScalar(0.97);
+}
+}  // namespace
+
+bool isSound(const btRigidBody& body)
+{
+	return isFinite(body) && isRotation(body.getCenterOfMassTransform().getBasis());
 }
 
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA)
@@ -48,6 +60,11 @@ btElasticPlasticFault findBodyFault(const btRigidBody& body, bool isBodyA, bool 
 		return btElasticPlasticFault(isBodyA ? "place, velocity, load, mass or inertia of body A"
 											 : "place, velocity, load, mass or inertia of body B",
 									 btScalar(NAN), "finite: the joint is left out of the steps in which it is not");
+	const btMatrix3x3& basis = body.getCenterOfMassTransform().getBasis();
+	if (!isRotation(basis))
+		return btElasticPlasticFault(
+			isBodyA ? "determinant of the basis of body A" : "determinant of the basis of body B", basis.determinant(),
+			"1, the basis that of a rotation: the joint is left out of the steps in which it is not");
 	if (body.getInvMass() == 0)
 		return btElasticPlasticFault();
 	if (const btElasticPlasticFault fault = findMissingWorld(body, isBodyA))

@@ -115,7 +115,7 @@ void JointStep::withholdDrift()
 {
 	const btElasticPlasticState& state = m_model.m_state;
 	const btScalar last = state.m_lastStep;
-	const bool isShorter = m_dt < last && state.m_solvedExactly && !m_model.m_isPaper;
+	const bool isShorter = m_dt < last && !m_model.m_isPaper;
 	if (!isShorter && state.m_withheldStep == 0)
 	{
 		m_withheldStep = 0;
@@ -133,13 +133,17 @@ void JointStep::withholdDrift()
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
 		m_withheld[i] = state.m_withheld[i];
-		const bool isSpring = m_model.isElasticPlastic(i) && !m_model.m_capacity.isRigidPlastic(i);
-		if (isShorter && isSpring)
+		const bool isBorne = m_model.isElasticPlastic(i);
+		if (isShorter && isBorne)
 		{
-			const btScalar most = i < 3 ? mostWay : mostTurn;
-			m_withheld[i] = btClamped(m_kinematics.m_strain[i] - m_model.elasticDeformation(i), -most, most);
+			const btScalar most = i < 3 ? mostWay : mostTurn, strain = m_kinematics.m_strain[i];
+			// What rigid rows have left open has gathered over steps, each of which closes a part of it.
+			// After iterations a spring's gap is what they have left as well.
+			m_withheld[i] = m_model.m_capacity.isRigidPlastic(i) ? strain
+							: state.m_solvedExactly ? btClamped(strain - m_model.elasticDeformation(i), -most, most)
+													: btScalar(0);
 		}
-		m_withheld[i] = isSpring ? m_withheld[i] * (1 - met) : btScalar(0);
+		m_withheld[i] = isBorne ? m_withheld[i] * (1 - met) : btScalar(0);
 		m_kinematics.m_strain[i] -= m_withheld[i];
 		isAnyLeft |= m_withheld[i] != 0;
 	}

@@ -40,7 +40,7 @@ public:
 
 	MaterialDamping() = default;
 
-	/// \param ratio  of critical damping, 0: none
+	/// \param ratio  of critical damping; below a billionth, where its energies are no numbers any more: none
 	/// \param dt     of the step [s]
 	MaterialDamping(btScalar ratio, btScalar dt) : m_ratio(ratio), m_dt(dt)
 	{
@@ -49,11 +49,12 @@ public:
 					   weight[BRANCHES] = {btScalar(1.63), btScalar(1.23), btScalar(1.68)};
 		const btScalar loss = 2 * ratio / (1 + 2 * ratio / SIMD_PI);
 		btScalar stiffness = 1;  // of the slower branches and the spring, over k
-		for (int i = 0; i < BRANCHES && ratio > 0; ++i)
+		for (int i = 0; i < BRANCHES && !isNone(); ++i)
 		{
 			const btScalar half = weight[i] * loss / 2, growth = (1 + half) / (1 - half);
 			Branch& branch = m_branch[i];
-			branch.m_gain = (growth - 1) * stiffness;
+			// For small ratios the difference is all rounding.
+			branch.m_gain = (half < btScalar(1e-3) ? 2 * half / (1 - half) : growth - 1) * stiffness;
 			branch.m_time = 1 / (SIMD_2_PI * frequency[i] * btSqrt(growth));
 			const btScalar x = dt / branch.m_time;
 			branch.m_kept = 1 / (1 + x * (1 + x / 2));
@@ -64,7 +65,7 @@ public:
 	}
 
 	bool isFor(btScalar ratio, btScalar dt) const { return ratio == m_ratio && dt == m_dt; }
-	bool isNone() const { return !(m_ratio > 0); }
+	bool isNone() const { return !(m_ratio > btScalar(1e-9)); }
 
 	/// By which the force at the end of a step grows with the spring's: sum of p g.
 	btScalar getStiffening() const { return m_stiffening; }

@@ -94,11 +94,8 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	archive(state.m_yielded);
 	archive(state.m_broken);
 	archive(state.m_work);
-	if (!state.m_solvedExactly)
-	{
-		archive(state.m_storedEnergy);
-		archive(state.m_placeEnergy);
-	}
+	archive(state.m_storedEnergy);
+	archive(state.m_placeEnergy);
 	archive(state.m_plasticEnergy);
 	archive(state.m_dampingEnergy);
 	transfer(archive, state.m_plasticPath);
