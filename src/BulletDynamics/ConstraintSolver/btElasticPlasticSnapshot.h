@@ -40,6 +40,7 @@ int btElasticPlasticSave(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broad
 
 /// Restores a world from a snapshot of it, or of one that was built by the same calls. No listener hears of it. Joints, constraints and
 /// bodies must be those that there were, in the world or broken; bodies must not have been removed and added again.
+/// Between steps: a listener that restores a snapshot which was taken by a listener is told what that one had not been told yet, for ever.
 ///
 /// \param size  of the snapshot [bytes], as it was returned
 /// \return a fault, and nothing is changed, if this is not a whole snapshot of this version and precision, or of another world
