@@ -32,7 +32,7 @@ bool isRotation(const btMatrix3x3& basis)
 }
 }  // namespace
 
-bool isSound(const btRigidBody& body)
+bool isWellFormed(const btRigidBody& body)
 {
 	return isFinite(body) && isRotation(body.getCenterOfMassTransform().getBasis());
 }

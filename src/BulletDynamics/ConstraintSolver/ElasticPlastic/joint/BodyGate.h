@@ -12,12 +12,12 @@ namespace btElasticPlastic
 {
 /// Whether all numbers of a body that enter a solver's rows are finite, position, orientation, velocities, loads, mass,
 /// inertia, factors, and its basis is that of a rotation. A body that has become NaN or flat must not spread that to its neighbours.
-bool isSound(const btRigidBody& body);
+bool isWellFormed(const btRigidBody& body);
 
 /// \return a fault if a body that can move is in no world, or is a collision object of another kind that was cast to a rigid body
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA);
 
-/// \return the fault of a body that keeps its joints out of the present step: it is not sound, or it can move and is in no
+/// \return the fault of a body that keeps its joints out of the present step: it is not well formed, or it can move and is in no
 /// world or has no inertia
 /// \param isBodyA   whether it is the joint's first body, for the fault's text
 /// \param isTurned  whether the joint bears moments

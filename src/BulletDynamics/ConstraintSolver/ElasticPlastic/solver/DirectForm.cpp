@@ -165,7 +165,7 @@ void DirectForm::addBodies(const SolverPools& pools)
 	{
 		const btRigidBody* body = pools.m_bodies[i].m_originalBody;
 		// A kinematic body moves as it is told, even if it still has a mass.
-		const bool moves = body && body->getInvMass() > 0 && !body->isKinematicObject() && isSound(*body);
+		const bool moves = body && body->getInvMass() > 0 && !body->isKinematicObject() && isWellFormed(*body);
 		m_index.push_back(moves ? OUTSIDE : STILL);
 		if (!m_sweepsContacts)
 			addBody(i, pools);

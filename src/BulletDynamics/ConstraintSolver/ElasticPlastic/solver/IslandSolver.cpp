@@ -24,7 +24,7 @@ bool isResultFinite(const btAlignedObjectArray<btSolverBody>& bodies)
 	for (int i = 0; i < bodies.size(); ++i)
 	{
 		const btSolverBody& b = bodies[i];
-		if (!b.m_originalBody || !isSound(*b.m_originalBody))
+		if (!b.m_originalBody || !isWellFormed(*b.m_originalBody))
 			continue;
 		if (!isVectorFinite(b.m_linearVelocity + b.m_deltaLinearVelocity + b.m_externalForceImpulse) ||
 			!isVectorFinite(b.m_angularVelocity + b.m_deltaAngularVelocity + b.m_externalTorqueImpulse) ||

@@ -100,7 +100,7 @@ void IslandState::addBodies(const SolverGroup& island)
 	{
 		btRigidBody* const body = btRigidBody::upcast(island.m_bodies[i]);
 		if (!body || body->getInvMass() == 0 || body->isStaticOrKinematicObject() || !body->isActive() ||
-			!isSound(*body))
+			!isWellFormed(*body))
 			continue;
 		body->setCompanionId(m_bodies.size());
 		m_bodies.push_back({body, body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
