@@ -464,7 +464,20 @@ TEST(Snapshot, IsRefusedWhereTheBroadphaseHoldsWhatIsNoObjectOfTheWorld)
 	EXPECT_EQ(0, btElasticPlasticSave(scene.m_world.bullet(), broadphase, scene.m_world.action(), nullptr, 0));
 	const btElasticPlasticFault fault = restore(scene.m_world, bytes);
 	EXPECT_EQ(1, fault.m_value);
-	// In the place of one of the world's, the number is right again.
+	broadphase.destroyProxy(foreign, scene.m_world.bullet().getDispatcher());
+	EXPECT_FALSE(restore(scene.m_world, bytes));
+}
+
+TEST(Snapshot, IsRefusedWhereAForeignProxyStandsInAnObjectsPlace)
+{
+	Collapse scene(Solver::Direct);
+	scene.run(3);
+	const Bytes bytes = save(scene.m_world);
+	btDbvtBroadphase& broadphase = broadphaseOf(scene.m_world);
+	const btVector3 corner(1, 1, 1);
+	btBroadphaseProxy* const foreign = broadphase.createProxy(-corner, corner, BOX_SHAPE_PROXYTYPE, nullptr, 0, 0,
+															  scene.m_world.bullet().getDispatcher());
+	// Their number is right.
 	btCollisionObject& object = *scene.m_world.bullet().getCollisionObjectArray()[2];
 	broadphase.destroyProxy(object.getBroadphaseHandle(), scene.m_world.bullet().getDispatcher());
 	object.setBroadphaseHandle(nullptr);

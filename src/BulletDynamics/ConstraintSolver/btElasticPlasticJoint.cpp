@@ -239,15 +239,9 @@ void btElasticPlasticJoint::getCommittedRow(int r, int& dof, btScalar& rateBefor
 {
 	const JointStep& step = m_works->m_step;
 	const bool isThere = r >= 0 && r < step.getNumCommittedRows();
-	if (!isThere)
-	{
-		dof = 0;
-		rateBefore = rateAfter = 0;
-		return;
-	}
-	dof = step.getDof(r);
-	rateBefore = step.getRateBefore(r);
-	rateAfter = step.getRateAfter(r);
+	dof = isThere ? step.getDof(r) : 0;
+	rateBefore = isThere ? step.getRateBefore(r) : btScalar(0);
+	rateAfter = isThere ? step.getRateAfter(r) : btScalar(0);
 }
 
 void btElasticPlasticJoint::printFault(char* text, int capacity) const { m_works->printFault(fault(), text, capacity); }
