@@ -6,6 +6,7 @@
 #include <float.h>
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -363,6 +364,32 @@ TEST(EnergyAudit, FollowsTheSubstepsOfAStepper)
 		stepper.step();
 	expectClosed(audited.balance(), CLOSED);
 	EXPECT_GT(audited.balance().m_plastic, 100);
+}
+
+/// A body that has become NaN has no energy. What it had is gone with it, and the balance of the others goes on.
+TEST(EnergyAudit, ABodyThatBecomesNaN)
+{
+	for (const Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+		for (const bool isWithin : {false, true})
+		{
+			World world(solver);
+			btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+			btRigidBody *const falls = world.body(3, cube, at(-20)), *const goesBad = world.body(2, cube, at(20));
+			goesBad->setLinearVelocity(btVector3(5, 0, 0));
+			Audited audited(world);
+			audited.run(10);
+			const double kinetic = goesBad->getMass() * btScalar(.5) * goesBad->getLinearVelocity().length2();
+			const btScalar nan = std::numeric_limits<btScalar>::quiet_NaN();
+			if (isWithin)
+				goesBad->applyCentralForce(btVector3(nan, 0, 0));
+			else
+				goesBad->setLinearVelocity(btVector3(nan, 0, 0));
+			const btElasticPlasticEnergyBalance b = audited.run(20);
+			const double left = 0.5 * 3 * double(falls->getLinearVelocity().length2());
+			EXPECT_NEAR(left, b.m_kinetic, left * ROUNDING);
+			EXPECT_NEAR(-kinetic, b.m_others, kinetic * ROUNDING) << isWithin;
+			expectClosed(b, ROUNDING);
+		}
 }
 
 TEST(EnergyAudit, ChangesNothing)

@@ -469,6 +469,39 @@ TEST(Lifetimes, AListenerMayDeleteTheActionWhileAStepControlSteps)
 	}
 }
 
+/// Deletes the action when it is told of a bad step.
+struct Offended : btElasticPlasticListener
+{
+	Parts& m_scene;
+	int m_numTold = 0;
+
+	explicit Offended(Parts& scene) : m_scene(scene) {}
+	void onBadStep(btScalar, const char*) override
+	{
+		++m_numTold;
+		m_scene.deleteAction();
+	}
+};
+
+TEST(Lifetimes, AListenerMayDeleteTheActionAtABadStep)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Parts scene(solver);
+		Offended first(scene), second(scene);
+		scene.m_action->addListener(&first);
+		scene.m_action->addListener(&second);
+		scene.row(4, btScalar(1.5), weak());
+		testing::internal::CaptureStderr();
+		scene.m_world->stepSimulation(-1, 0);
+		scene.step(3);
+		testing::internal::GetCapturedStderr();
+		EXPECT_EQ(1, first.m_numTold);
+		EXPECT_EQ(0, second.m_numTold);
+		EXPECT_FALSE(scene.m_action);
+	}
+}
+
 TEST(Lifetimes, AListenerMayDeleteJoints)
 {
 	for (Solver solver : SOLVERS)

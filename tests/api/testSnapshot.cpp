@@ -452,6 +452,47 @@ uint16_t numberAt(const Bytes& bytes, size_t place)
 	return number;
 }
 
+/// Saves and restores while it is being told of a break.
+struct Impatient : btElasticPlasticListener
+{
+	World& m_world;
+	const Bytes m_bytes;
+	int m_numTold = 0;
+
+	explicit Impatient(World& world) : m_world(world), m_bytes(save(world)) {}
+
+	void onBreak(const btElasticPlasticEvent&) override
+	{
+		++m_numTold;
+		Bytes room(2 * m_bytes.size() + 10000);
+		EXPECT_EQ(0, btElasticPlasticSave(m_world.bullet(), broadphaseOf(m_world), m_world.action(), room.data(),
+										  int(room.size())));
+		EXPECT_EQ(1, restore(m_world, m_bytes).m_value);
+	}
+};
+
+TEST(Snapshot, IsRefusedWithinAStep)
+{
+	Collapse scene(Solver::Direct), twin(Solver::Direct);
+	scene.run(3);
+	twin.run(3);
+	Impatient listener(scene.m_world);
+	scene.m_world.action().addListener(&listener);
+	EXPECT_EQ(-1, firstDifference(twin.run(60), scene.run(60)));
+	EXPECT_LT(0, listener.m_numTold);
+	// Between steps breakJoint() tells listeners at once.
+	const int before = listener.m_numTold;
+	for (btElasticPlasticJoint* joint : scene.m_world.joints())
+		if (!joint->isBroken())
+		{
+			scene.m_world.action().breakJoint(scene.m_world.bullet(), joint);
+			break;
+		}
+	EXPECT_EQ(before + 1, listener.m_numTold);
+	EXPECT_FALSE(restore(scene.m_world, save(scene.m_world)));
+	scene.m_world.action().removeListener(&listener);
+}
+
 TEST(Snapshot, IsRefusedWhereTheBroadphaseHoldsWhatIsNoObjectOfTheWorld)
 {
 	Collapse scene(Solver::Direct);

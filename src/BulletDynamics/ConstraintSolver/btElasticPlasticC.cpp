@@ -315,7 +315,7 @@ int btep_body_create(btep_world* world, const btep_body_description* description
 	if (hasMass)
 		made.m_shape->calculateLocalInertia(btScalar(d.m_mass), inertia);
 	if (hasMass && !(hasInverse(btScalar(d.m_mass)) && hasInverse(inertia.x()) && hasInverse(inertia.y()) &&
-						  hasInverse(inertia.z())))
+					 hasInverse(inertia.z())))
 		return world->fail(
 			BTEP_BAD_VALUE,
 			"mass and extents of a body: its mass and inertia must be finite, and so must be 1 over them");

@@ -11,8 +11,11 @@
 /// e + z a_y - y a_z, and its force f gives N = f, M_y = z f, M_z = -y f.
 struct btElasticPlasticFibre
 {
-	btScalar m_y = 0, m_z = 0;  ///< its place in the section, in the joint's frame [m], at most btElasticPlasticCapacity::greatestLength()
-	btScalar m_stiffness = 0;   ///< [N/m], btElasticPlasticCapacity::leastStiffness() to 1e24
+	btScalar
+		m_y = 0,
+		m_z =
+			0;  ///< its place in the section, in the joint's frame [m], at most btElasticPlasticCapacity::greatestLength()
+	btScalar m_stiffness = 0;  ///< [N/m], btElasticPlasticCapacity::leastStiffness() to 1e24
 	btScalar m_tension =
 		0;  ///< force at which it flows when it is stretched [N], finite, >= 0; 0: it opens, and closes again
 	btScalar m_compression = 0;  ///< the same when it is pressed [N]; not both 0

@@ -45,6 +45,8 @@ int btElasticPlasticSave(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broad
 	if (world.getBroadphase() != &broadphase || countOthers(world, broadphase) != 0)
 		return 0;
 	Snapshot snapshot(world, broadphase, action);
+	if (!snapshot.isBetweenSteps())
+		return 0;
 	Header header;
 	const size_t room = buffer && capacity > int(sizeof header) ? size_t(capacity) - sizeof header : 0;
 	unsigned char* const values = room > 0 ? static_cast<unsigned char*>(buffer) + sizeof header : nullptr;
@@ -71,6 +73,9 @@ btElasticPlasticFault btElasticPlasticRestore(btDiscreteDynamicsWorld& world, bt
 	if (const int others = countOthers(world, broadphase))
 		return btElasticPlasticFault("number of what is in the broadphase and no object of the world, or the reverse",
 									 others, "0");
+	Snapshot snapshot(world, broadphase, action);
+	if (!snapshot.isBetweenSteps())
+		return btElasticPlasticFault("number of substeps and events under way", 1, "0: restore outside of listeners");
 	Header header;
 	const Header own;
 	if (!buffer || size < int(sizeof header))
@@ -90,7 +95,6 @@ btElasticPlasticFault btElasticPlasticRestore(btDiscreteDynamicsWorld& world, bt
 		transfer(reader, image);
 	if (!reader.isComplete())
 		return btElasticPlasticFault("size of the buffer, or its checksum [bytes]", btScalar(size), WHOLE);
-	Snapshot snapshot(world, broadphase, action);
 	if (const btElasticPlasticFault fault = snapshot.findMismatch(image))
 		return fault;
 	snapshot.write(image);

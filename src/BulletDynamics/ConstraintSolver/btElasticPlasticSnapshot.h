@@ -33,17 +33,18 @@ struct btDbvtBroadphase;
 /// \param action      of the world
 /// \param buffer      where the snapshot goes; null: nowhere
 /// \param capacity    of the buffer [bytes], >= 0. If the snapshot does not fit, what the buffer then holds is no snapshot
-/// \return the snapshot's length [bytes]; 0 if the broadphase is not the world's, holds what is no object of the world or lacks one, or if the
-/// snapshot would be longer than 2 GB
+/// \return the snapshot's length [bytes]; 0 if the broadphase is not the world's, holds what is no object of the world or lacks one, if the
+/// snapshot would be longer than 2 GB, or within a step: a listener is told of events before all of it is done, and saves when stepSimulation
+/// has returned
 int btElasticPlasticSave(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase, btElasticPlasticAction& action,
 						 void* buffer, int capacity, btElasticPlasticOwnPrecision = {});
 
 /// Restores a world from a snapshot of it, or of one that was built by the same calls. No listener hears of it. Joints, constraints and
 /// bodies must be those that there were, in the world or broken; bodies must not have been removed and added again.
-/// Between steps: a listener that restores a snapshot which was taken by a listener is told what that one had not been told yet, for ever.
 ///
 /// \param size  of the snapshot [bytes], as it was returned
-/// \return a fault, and nothing is changed, if this is not a whole snapshot of this version and precision, or of another world
+/// \return a fault, and nothing is changed, if this is not a whole snapshot of this version and precision, or of another world, or if a
+/// listener calls it
 btElasticPlasticFault btElasticPlasticRestore(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase,
 											  btElasticPlasticAction& action, const void* buffer, int size,
 											  btElasticPlasticOwnPrecision = {});

@@ -29,7 +29,8 @@ struct btElasticPlasticState
 	btScalar m_branch[BRANCHES][6] = {};  ///< of the branches by which a material damps (MaterialDamping.h) [N], [N m]
 	btScalar m_forceRate[6] =
 		{};  ///< of springs and branches in the last step, their change over its length [N/s], [N m/s]
-	btScalar m_load[2][6] = {};        ///< on bodies A and B in the last step, beside their weight: force [N], torque [N m], world axes
+	btScalar m_load[2][6] =
+		{};  ///< on bodies A and B in the last step, beside their weight: force [N], torque [N m], world axes
 	btScalar m_withheld[6] = {};       ///< drift that shorter steps still have to take back [m], [rad]
 	btScalar m_withheldStep = 0;       ///< length of the step that left it [s]
 	bool m_solvedExactly = false;      ///< the last step, by a solver that knows which rows are at a bound

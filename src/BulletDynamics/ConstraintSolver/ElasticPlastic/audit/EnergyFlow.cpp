@@ -5,6 +5,7 @@
 
 #include "../../btElasticPlasticAction.h"
 #include "../joint/BodyEnergy.h"
+#include "../joint/BodyGate.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 
@@ -22,6 +23,19 @@ double kineticEnergyOf(const btRigidBody& body)
 {
 	return kineticEnergy(body, body.getWorldTransform().getBasis(), body.getLinearVelocity(),
 						 body.getAngularVelocity());
+}
+
+/// Whether a body has an energy: one that has become NaN is left out, as it is by the joints.
+bool hasEnergy(const btRigidBody& body)
+{
+	return isWellFormed(body) && btElasticPlasticIsFinite(kineticEnergyOf(body));
+}
+
+/// Books work, of which a body that has become NaN may make a NaN.
+void book(double& account, double work)
+{
+	if (btElasticPlasticIsFinite(work))
+		account += work;
 }
 }  // namespace
 
@@ -52,7 +66,7 @@ void EnergyFlow::begin()
 	{
 		const btRigidBody* const body = massiveBody(m_world.getCollisionObjectArray()[i]);
 		const Body* const known = body ? m_bodies.find(btHashPtr(body)) : nullptr;
-		if (known && !body->isActive())
+		if (known && !body->isActive() && hasEnergy(*body))
 			asleep += known->m_kinetic - kineticEnergyOf(*body);
 	}
 	takeStock();
@@ -73,13 +87,15 @@ void EnergyFlow::takeStock()
 	m_balance.m_kinetic = m_balance.m_elastic = 0;
 	m_bodies.clear();
 	for (int i = 0; i < m_world.getNumCollisionObjects(); ++i)
-		if (const btRigidBody* const body = massiveBody(m_world.getCollisionObjectArray()[i]))
-		{
-			const double kinetic = kineticEnergyOf(*body);
-			m_bodies.insert(btHashPtr(body), {body->getWorldTransform(), body->getLinearVelocity(),
-											  body->getAngularVelocity(), kinetic, false, false});
-			m_balance.m_kinetic += kinetic;
-		}
+	{
+		const btRigidBody* const body = massiveBody(m_world.getCollisionObjectArray()[i]);
+		if (!body || !hasEnergy(*body))
+			continue;
+		const double kinetic = kineticEnergyOf(*body);
+		m_bodies.insert(btHashPtr(body), {body->getWorldTransform(), body->getLinearVelocity(),
+										  body->getAngularVelocity(), kinetic, false, false});
+		m_balance.m_kinetic += kinetic;
+	}
 	m_joints.clear();
 	for (int i = 0; i < m_action.getNumJoints(); ++i)
 	{
@@ -160,6 +176,12 @@ void EnergyFlow::endBody(btRigidBody& body, btScalar dt)
 	Body* const before = m_bodies.find(btHashPtr(&body));
 	if (!before)
 		return;
+	if (!hasEnergy(body))
+	{
+		m_balance.m_others -= before->m_kinetic;
+		m_bodies.remove(btHashPtr(&body));
+		return;
+	}
 	const btTransform place = body.getWorldTransform();
 	const btVector3 linear = body.getLinearVelocity(), angular = body.getAngularVelocity();
 	btElasticPlasticInnerMotion inner;
@@ -230,9 +252,9 @@ void EnergyFlow::endContact(const btPersistentManifold& manifold)
 		const btManifoldPoint& p = manifold.getContactPoint(i);
 		const auto give = [&](const btVector3& impulse)
 		{ return workOn(a, p.getPositionWorldOnA(), impulse) + workOn(b, p.getPositionWorldOnB(), -impulse); };
-		m_balance.m_contacts -= give(p.m_normalWorldOnB * p.m_appliedImpulse);
-		m_balance.m_friction -= give(p.m_lateralFrictionDir1 * p.m_appliedImpulseLateral1 +
-									 p.m_lateralFrictionDir2 * p.m_appliedImpulseLateral2);
+		book(m_balance.m_contacts, -give(p.m_normalWorldOnB * p.m_appliedImpulse));
+		book(m_balance.m_friction, -give(p.m_lateralFrictionDir1 * p.m_appliedImpulseLateral1 +
+										 p.m_lateralFrictionDir2 * p.m_appliedImpulseLateral2));
 	}
 }
 
@@ -249,9 +271,10 @@ void EnergyFlow::endConstraint(const btTypedConstraint& constraint, btScalar dt)
 		const Body* const before = m_bodies.find(btHashPtr(bodies[side]));
 		if (!before || !before->m_isSolved || before->m_hasInnerSteps)
 			continue;
-		m_balance.m_constraints -= 0.5 * double(dt) *
-								   (double(forces[side].dot(before->m_linear + bodies[side]->getLinearVelocity())) +
-									double(torques[side].dot(before->m_angular + bodies[side]->getAngularVelocity())));
+		book(m_balance.m_constraints,
+			 -0.5 * double(dt) *
+				 (double(forces[side].dot(before->m_linear + bodies[side]->getLinearVelocity())) +
+				  double(torques[side].dot(before->m_angular + bodies[side]->getAngularVelocity()))));
 	}
 }
 
@@ -290,7 +313,7 @@ void EnergyFlow::endSupports(const btElasticPlasticJoint& joint, btScalar dt)
 			before->m_point - (body.getWorldTransform().getOrigin() - body.getLinearVelocity() * dt);
 		const double power =
 			double(force.dot(body.getVelocityInLocalPoint(point))) + double(moment.dot(body.getAngularVelocity()));
-		m_balance.m_constraints += (side == 0 ? 1 : -1) * power * double(dt);
+		book(m_balance.m_constraints, (side == 0 ? 1 : -1) * power * double(dt));
 	}
 }
 }  // namespace btElasticPlastic

@@ -72,8 +72,6 @@ JointRegistry::~JointRegistry()
 {
 	while (getNumJoints() > 0)
 		remove(getJoint(0));
-	if (m_isDeleted)
-		*m_isDeleted = true;
 	if (m_watch)
 		m_watch->m_isDeleted = true;
 }
@@ -192,7 +190,7 @@ bool JointRegistry::breakJoint(btDynamicsWorld& world, JointWorks& joint)
 	removeBrokenFromWorld(world);
 	joint.wakeBodies();
 	// Called by a listener, the event comes after the one that it is being told.
-	if (!m_isDeleted)
+	if (!m_told)
 		deliver();
 	return true;
 }
@@ -298,12 +296,12 @@ bool JointRegistry::isStep(btScalar timeStep)
 		return true;
 	if (!m_isStepTold)
 	{
+		m_isStepTold = true;
 		char text[128];
 		btElasticPlasticFault("time step [s]", timeStep, "finite and greater than 0: joints do nothing in it")
 			.print(text, sizeof text);
 		tellAll([&](btElasticPlasticListener& listener) { listener.onBadStep(timeStep, text); });
 	}
-	m_isStepTold = true;
 	return false;
 }
 
@@ -585,15 +583,20 @@ void JointRegistry::addListener(btElasticPlasticListener* listener)
 		m_listeners.push_back(listener);
 }
 
-/// Without a listener the default one is told, which prints.
+/// Tells all listeners; without any, the default one, which prints. They may add and remove listeners and joints, and delete the registry.
+/// \return whether the registry still exists
 template <class Call>
-void JointRegistry::tellAll(const Call& call)
+bool JointRegistry::tellAll(const Call& call)
 {
+	const Watch watch(*this);
+	const btAlignedObjectArray<btElasticPlasticListener*> listeners = m_listeners;
 	btElasticPlasticListener printer;
-	if (m_listeners.size() == 0)
+	if (listeners.size() == 0)
 		call(printer);
-	for (int i = 0; i < m_listeners.size(); ++i)
-		call(*m_listeners[i]);
+	for (int i = 0; i < listeners.size() && !watch.isDeleted(); ++i)
+		if (m_listeners.findLinearSearch(listeners[i]) < m_listeners.size())
+			call(*listeners[i]);
+	return !watch.isDeleted();
 }
 
 void JointRegistry::refuse(btElasticPlasticJoint& joint, const char* text)
@@ -660,26 +663,22 @@ void JointRegistry::reportLosses(JointWorks& joint)
 	joint.m_step.forgetLosses();
 }
 
-/// Tells all listeners of an event. They may add and remove listeners, joints, and the registry itself.
-/// \param isDeleted  becomes true when the registry is deleted
-void JointRegistry::tell(btElasticPlasticEvent& event, const bool& isDeleted)
+bool JointRegistry::tell(const btElasticPlasticEvent& event)
 {
-	const btAlignedObjectArray<btElasticPlasticListener*> listeners = m_listeners;
-	for (int i = 0; i < listeners.size() && !isDeleted; ++i)
-	{
-		if (m_listeners.findLinearSearch(listeners[i]) == m_listeners.size())
-			continue;
-		if (event.m_type == BT_EP_EVENT_YIELD)
-			listeners[i]->onYield(event);
-		else if (event.m_type == BT_EP_EVENT_BREAK)
-			listeners[i]->onBreak(event);
-		else if (event.m_type == BT_EP_EVENT_LEVEL)
-			listeners[i]->onLevel(event);
-		else if (event.m_type == BT_EP_EVENT_CRACK)
-			listeners[i]->onCrack(event);
-		else
-			listeners[i]->onRupture(event);
-	}
+	return tellAll(
+		[&](btElasticPlasticListener& listener)
+		{
+			if (event.m_type == BT_EP_EVENT_YIELD)
+				listener.onYield(event);
+			else if (event.m_type == BT_EP_EVENT_BREAK)
+				listener.onBreak(event);
+			else if (event.m_type == BT_EP_EVENT_LEVEL)
+				listener.onLevel(event);
+			else if (event.m_type == BT_EP_EVENT_CRACK)
+				listener.onCrack(event);
+			else
+				listener.onRupture(event);
+		});
 }
 
 /// Takes events from the queue one by one: the listener may delete joints, whose events then leave the queue, and the action
@@ -687,21 +686,13 @@ void JointRegistry::tell(btElasticPlasticEvent& event, const bool& isDeleted)
 /// \return whether the registry still exists
 bool JointRegistry::deliver()
 {
-	bool isDeleted = false;
-	bool* const outer = m_isDeleted;
-	m_isDeleted = &isDeleted;
 	btElasticPlasticEvent event;
 	btElasticPlasticEvent* const toldOutside = m_told;
 	m_told = &event;
-	while (!isDeleted && m_listeners.size() > 0 && m_events.pop(event))
-		tell(event, isDeleted);
-	if (!isDeleted)
-	{
-		m_isDeleted = outer;
-		m_told = toldOutside;
-	}
-	else if (outer)
-		*outer = true;
-	return !isDeleted;
+	while (m_listeners.size() > 0 && m_events.pop(event))
+		if (!tell(event))
+			return false;
+	m_told = toldOutside;
+	return true;
 }
 }  // namespace btElasticPlastic

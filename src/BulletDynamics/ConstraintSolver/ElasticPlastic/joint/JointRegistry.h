@@ -122,6 +122,9 @@ public:
 
 	// ---- for snapshots
 
+	/// Whether a substep is being ended, or listeners are being told of an event: the world is not between steps.
+	bool isBusy() const { return m_isCommitting || m_told; }
+
 	/// A joint as it is to stand in the registry.
 	struct Standing
 	{
@@ -213,9 +216,9 @@ private:
 				btElasticPlasticQuantity quantity = BT_EP_QUANTITY_COUNT, int fibre = -1);
 	void reportLevels(JointWorks& joint);
 	void reportLosses(JointWorks& joint);
-	void tell(btElasticPlasticEvent& event, const bool& isDeleted);
+	bool tell(const btElasticPlasticEvent& event);
 	template <class Call>
-	void tellAll(const Call& call);
+	bool tellAll(const Call& call);
 	void updateDrawnFrames(btDynamicsWorld& world);
 	bool deliver();
 	bool isStep(btScalar timeStep);
@@ -241,7 +244,6 @@ private:
 	bool m_isCommitting = false;              ///< whether a substep is being ended
 	int m_numSeparations = 0;                 ///< broken joints whose bodies still overlap
 	WorldToken m_token;                       ///< in the world while there are any
-	bool* m_isDeleted = nullptr;              ///< set by the destructor while events are delivered
 	Watch* m_watch = nullptr;                 ///< the innermost
 	btElasticPlasticEvent* m_told = nullptr;  ///< the event that listeners are being told
 	bool m_isStepTold = false;                ///< whether the listener was told of a bad step

@@ -138,10 +138,9 @@ void JointStep::withholdDrift()
 		{
 			const btScalar most = i < 3 ? mostWay : mostTurn, strain = m_kinematics.m_strain[i];
 			// What rigid rows have left open has gathered over steps, each of which closes a part of it.
-			// After iterations a spring's gap is what they have left as well.
-			m_withheld[i] = m_model.m_capacity.isRigidPlastic(i) ? strain
-							: state.m_solvedExactly ? btClamped(strain - m_model.elasticDeformation(i), -most, most)
-													: btScalar(0);
+			m_withheld[i] = m_model.m_capacity.isRigidPlastic(i)
+								? strain
+								: btClamped(strain - m_model.elasticDeformation(i), -most, most);
 		}
 		m_withheld[i] = isBorne ? m_withheld[i] * (1 - met) : btScalar(0);
 		m_kinematics.m_strain[i] -= m_withheld[i];
@@ -727,7 +726,7 @@ double JointStep::getLoan() const
 }
 
 /// What it takes to bring the joint to a strain, flow included [J].
-double JointStep::strainEnergy(const Kinematics& k) const
+double JointStep::strainEnergy(const btScalar strains[BT_EP_DOF_COUNT]) const
 {
 	double energy = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -736,7 +735,7 @@ double JointStep::strainEnergy(const Kinematics& k) const
 					 yield = double(m_model.m_capacity.m_yield[i]);
 		if (!m_model.isElasticPlastic(i) || m_model.m_capacity.isRigidPlastic(i) || !(stiffness > 0))
 			continue;
-		const double strain = fabs(double(k.m_strain[i])), elastic = fmin(strain, yield / stiffness);
+		const double strain = fabs(double(strains[i])), elastic = fmin(strain, yield / stiffness);
 		energy += 0.5 * stiffness * elastic * elastic + (strain > elastic ? yield * (strain - elastic) : 0);
 	}
 	return fmin(energy, btElasticPlasticCapacity::unlimited());
@@ -746,13 +745,16 @@ double JointStep::getStored() const
 {
 	const btElasticPlasticState& state = m_model.m_state;
 	if (state.m_lastStep == 0)
-		return strainEnergy(m_kinematics);
+		return strainEnergy(m_kinematics.m_strain);
 	if (state.m_solvedExactly)
 		return m_model.springEnergy();
 	const double had = state.m_storedEnergy;
 	if (state.m_placeEnergy < 0 || m_model.bodyA().isKinematicObject() || m_model.bodyB().isKinematicObject())
 		return had;
-	return had + fmax(strainEnergy(m_kinematics) - state.m_placeEnergy, 0);
+	btScalar ofPlace[BT_EP_DOF_COUNT];
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		ofPlace[i] = m_kinematics.m_strain[i] + m_withheld[i];
+	return had + fmax(strainEnergy(ofPlace) - state.m_placeEnergy, 0);
 }
 
 double JointStep::measureWork() const
@@ -775,7 +777,7 @@ void JointStep::rememberPlace()
 {
 	Kinematics now;
 	m_model.measure(now);
-	m_model.m_state.m_placeEnergy = strainEnergy(now);
+	m_model.m_state.m_placeEnergy = strainEnergy(now.m_strain);
 }
 
 int JointStep::commit(double share, bool isNew)

@@ -235,7 +235,7 @@ private:
 	/// In the step.
 	btScalar yieldOf(int dof) const { return m_usesFibres ? m_fibres.yieldOf(dof) : m_model.m_capacity.m_yield[dof]; }
 	void damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres);
-	double strainEnergy(const Kinematics& k) const;
+	double strainEnergy(const btScalar strains[BT_EP_DOF_COUNT]) const;
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
 
 	JointModel& m_model;

@@ -554,6 +554,8 @@ bool Snapshot::areEventsSound(const WorldImage& image) const
 	return true;
 }
 
+bool Snapshot::isBetweenSteps() const { return !m_registry.isBusy(); }
+
 btElasticPlasticFault Snapshot::findMismatch(const WorldImage& image) const
 {
 	if (const btElasticPlasticFault fault = findForeignObject(image))

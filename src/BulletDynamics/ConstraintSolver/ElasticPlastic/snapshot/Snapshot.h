@@ -28,6 +28,9 @@ public:
 	/// Looks at the world as it is now.
 	Snapshot(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase, btElasticPlasticAction& action);
 
+	/// Whether no substep is being ended, and no listener told of an event.
+	bool isBetweenSteps() const;
+
 	/// Writes the world, part after part in the order in which transfer() has those of a WorldImage.
 	void save(Writer& writer) const;
 
