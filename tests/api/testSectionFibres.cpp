@@ -232,6 +232,57 @@ double momentBeside(double axial, std::vector<SectionCell> cells)
 	return moment;
 }
 
+TEST(SectionFibres, BearTheMomentsOfTheory)
+{
+	// Beside n = N / Np, as shares of the moment alone: of a circle and a tube of 50 and 5 mm by integration; of an IPE 200 with sharp corners in kN m.
+	struct Point
+	{
+		double n, moment;
+	};
+	const struct
+	{
+		const char* name;
+		btElasticPlasticSection section;
+		bool isAboutY;
+		double unit;  ///< of the moments [N m]
+		std::vector<Point> points;
+	} cases[] = {{"circle",
+				  btElasticPlasticSection::circle(btScalar(0.05)),
+				  false,
+				  4. / 3 * 1.25e-4 * double(YIELD),
+				  {{0.1, .990742}, {0.25, .941981}, {0.5, .765486}, {0.75, .461451}, {0.9, .208268}}},
+				 {"tube",
+				  btElasticPlasticSection::hollowCircle(btScalar(0.05), btScalar(0.005)),
+				  false,
+				  4. / 3 * (1.25e-4 - 0.91125e-4) * double(YIELD),
+				  {{0.1, .987700}, {0.25, .923953}, {0.5, .707433}, {0.75, .383724}, {0.9, .158918}}},
+				 {"IPE 200",
+				  shapes()[5].m_section,
+				  false,
+				  1e3,
+				  {{0, 52.4149}, {0.2, 49.1004}, {0.4, 39.2015}, {0.6, 26.5055}, {0.8, 13.4384}}},
+				 {"IPE 200 about y",
+				  shapes()[5].m_section,
+				  true,
+				  1e3,
+				  {{0, 10.9837}, {0.2, 10.8909}, {0.4, 10.6125}, {0.6, 9.2566}, {0.8, 5.7202}}},
+				 {"square", shapes()[0].m_section, false, 500, {{0, 1}, {0.25, 0.9375}, {0.5, 0.75}, {0.75, 0.4375}}}};
+	for (const auto& c : cases)
+		for (const int count : {0, 100})
+		{
+			const btElasticPlasticCapacity capacity = capacityOf(c.section.withFibres(count));
+			std::vector<SectionCell> cells = cellsOf(capacity);
+			for (SectionCell& cell : cells)
+				if (c.isAboutY)
+					std::swap(cell.y, cell.z);
+			const double most = c.points[0].n == 0 ? c.points[0].moment * c.unit : c.unit;
+			for (const Point& point : c.points)
+				EXPECT_NEAR(point.moment * c.unit, momentBeside(point.n * double(capacity.m_yield[BT_EP_AXIAL]), cells),
+							(count == 0 ? 0.03 : 0.01) * most)
+					<< c.name << ", n " << point.n << ", " << count;
+		}
+}
+
 TEST(SectionFibres, KnowReinforcedConcrete)
 {
 	// 300 x 500 mm, f_c = 30 MPa, no tension, four bars of 20 mm and 500 MPa: by integration over the section.
