@@ -123,6 +123,32 @@ TEST(SectionFibres, BearWhatTheSectionBearsInAllDirections)
 	EXPECT_LE(deviation(shapes()[0].m_section, 4), 0.25);
 }
 
+TEST(SectionFibres, BearWhatATubeBearsWhateverItsWall)
+{
+	for (const double hole : {0.05, 0.15, 0.25, 0.31, 0.4, 0.5, 0.6, 0.64, 0.66, 0.8, 0.95})
+		for (const double share : {1., 0.5})
+		{
+			const auto scaled = [share](std::vector<SectionCell> cells)
+			{
+				for (SectionCell& cell : cells)
+					cell.tension *= share;
+				return cells;
+			};
+			const btElasticPlasticSection tube = btElasticPlasticSection::tube(1, btScalar(hole));
+			const std::vector<SectionCell> exact = scaled(finely(tube));
+			const SectionDirection alone = {support(exact, {-1, 0, 0}), support(exact, {0, 1, 0}),
+											support(exact, {0, 0, 1})};
+			const auto deviates = [&](int count)
+			{ return largestDeviation(scaled(cellsOf(capacityOf(tube.withFibres(count)))), exact, alone, 2000); };
+			EXPECT_LE(deviates(0), 0.03) << hole << ", " << share;
+			EXPECT_LE(deviates(33), 0.0245) << hole << ", " << share;
+			EXPECT_LE(deviates(60), 0.0105) << hole << ", " << share;
+			EXPECT_LE(deviates(100), 0.0075) << hole << ", " << share;
+			EXPECT_EQ(hole < 0.3 ? 33 : 20, tube.withFibres().m_fibres.size());
+			EXPECT_EQ(47, tube.withFibres(47).m_fibres.size());
+		}
+}
+
 TEST(SectionFibres, OfARectangleMissNothingInAnyDirection)
 {
 	// With the digits in which the tables of btElasticPlasticSectionFibres.cpp say it; as strong in tension as in compression, and half as strong.

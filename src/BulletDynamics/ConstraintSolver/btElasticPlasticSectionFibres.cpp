@@ -210,6 +210,38 @@ void addManyRings(btElasticPlasticSection& section, const btElasticPlasticSectio
 	}
 }
 
+/// Where a ring's area has its plastic modulus.
+double plasticRadius(double inner, double outer)
+{
+	return 2. / 3 * (outer * outer * outer - inner * inner * inner) / (outer * outer - inner * inner);
+}
+
+/// A tube whose wall is more than a third of its radius: rings of fibres of one size, more of them outside. 2.9, 2.3 and 1 % with 20, 33 and 60, also
+/// where it is half as strong in tension; up to 4 % with 20 if the wall is more than 0.7 of the radius.
+void addThickWall(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, int count)
+{
+	static const double shares[3][4] = {{0.4, 0.6}, {0.15, 0.33, 0.52}, {0.16, 0.21, 0.28, 0.35}};
+	const int numRings = count < 33 ? 2 : count < MANY ? 3 : 4;
+	const double r = part.m_radius, area = section.m_area,
+				 wall = r * r - double(part.m_innerRadius) * part.m_innerRadius;
+	double inner = part.m_innerRadius, share = 0;
+	for (int k = 0, sum = 0; k < numRings; ++k)
+	{
+		share += shares[numRings - 2][k];
+		const int own = int(count * share + 0.5) - sum;
+		const double outer = sqrt(inner * inner + wall * own / count);
+		addRing(section, part, own, plasticRadius(inner, outer), area * own / count, k % 2 == 0 ? 0.25 : 0.5);
+		sum += own;
+		inner = outer;
+	}
+}
+
+/// 3 %: next to a solid bar fibres have to stand all over the area.
+int defaultOfRound(const btElasticPlasticSectionPart& part)
+{
+	return part.m_innerRadius > 0 && part.m_innerRadius < btScalar(0.3) * part.m_radius ? 33 : 20;
+}
+
 void addRound(btElasticPlasticSection& section, const btElasticPlasticSectionPart& part, int count)
 {
 	const double r = part.m_radius, inner = part.m_innerRadius, area = section.m_area;
@@ -223,12 +255,12 @@ void addRound(btElasticPlasticSection& section, const btElasticPlasticSectionPar
 					i % 2 == 0 ? 0.25 : 0.5);
 		return;
 	}
-	// Two rings of equal areas, each with its plastic modulus, staggered. One alone would have no choice of its second moment.
+	if (inner < 0.65 * r)
+		return addThickWall(section, part, count);
+	// Two rings of equal areas, staggered. One alone would have no choice of its second moment.
 	const double middle = sqrt((r * r + inner * inner) / 2);
-	const auto radiusOf = [](double in, double out)
-	{ return 2. / 3 * (out * out * out - in * in * in) / (out * out - in * in); };
-	addRing(section, part, (count + 1) / 2, radiusOf(middle, r), area / 2, 0.25);
-	addRing(section, part, count / 2, radiusOf(inner, middle), area / 2, 0.75);
+	addRing(section, part, (count + 1) / 2, plasticRadius(middle, r), area / 2, 0.25);
+	addRing(section, part, count / 2, plasticRadius(inner, middle), area / 2, 0.75);
 }
 
 /// Cuts the longer side of a thin part into equal lengths. They stand a quarter of the thickness to either side by turns, + - - +, or, where there
@@ -332,7 +364,7 @@ btElasticPlasticSection btElasticPlasticSection::withFibres(int count, bool with
 	else if (m_parts.size() > 1)
 		addParts(s, count > 0 ? count : 24);
 	else if (m_parts[0].m_radius > 0)
-		addRound(s, m_parts[0], count > 0 ? count : 20);
+		addRound(s, m_parts[0], count > 0 ? count : defaultOfRound(m_parts[0]));
 	else
 		addRectangle(s, m_parts[0], count > 0 ? count : 16);
 	for (int i = 0; i < s.m_fibres.size() && !withShear; ++i)
