@@ -32,7 +32,7 @@ MUTATIONS = [
     Mutation("plastic middle turns by the whole", "JointModel.cpp", "exponential(elastic * btScalar(-0.5))",
              "exponential(elastic * btScalar(-1))", "*Hinge*:*HardJoints*"),
     # ---- law
-    Mutation("damping by the row", "Law.h", "a / (a + 4)) + changeOf", "a / (a + 8)) + changeOf", "*Law*:*Accuracy*"),
+    Mutation("damping by the row", "Law.h", "{ return a / (a + 4); }", "{ return a / (a + 8); }", "*Law*:*Accuracy*"),
     Mutation("no damping of a changed step", "Law.h", "btFabs(dt - lastStep) / (dt + lastStep)", "btScalar(0)",
              "*Law*:*StepControl*:*Energy*"),
     Mutation("bound of the mean force", "Law.h", "row.m_upper = dt * (c + m_alpha * s.m_yield)",
