@@ -20,7 +20,6 @@
 #include "support/Run.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
-#include "support/Pair.h"
 
 namespace testLifetimes
 {
@@ -799,25 +798,5 @@ TEST(Lifetimes, ABodyIsNotJoinedToItself)
 		EXPECT_NEAR(-10. / 6, body->getLinearVelocity().y(), 1e-5);
 		EXPECT_EQ(0, body->getAngularVelocity().length());
 	}
-}
-
-TEST(Bodies, WhoseBasisIsNoRotationAreLeftOutAndTold)
-{
-	for (const Solver solver : SOLVERS)
-		for (const btScalar scale : {btScalar(0), btScalar(1e-10), btScalar(-1), btScalar(3)})
-		{
-			Pair pair(solver, 12);
-			const btElasticPlasticJoint* joint = pair.join(strong());
-			run(pair.m_world, 2);
-			btTransform pose = pair.m_a->getWorldTransform();
-			const btMatrix3x3 basis = pose.getBasis() * btMatrix3x3(scale, 0, 0, 0, scale, 0, 0, 0, scale);
-			pose.setBasis(basis);
-			pair.m_a->setWorldTransform(pose);
-			run(pair.m_world, 1);
-			const std::string what = joint->fault().m_quantity ? joint->fault().m_quantity : "";
-			EXPECT_NE(std::string::npos, what.find("basis of body A")) << what;
-			EXPECT_EQ(0, pair.m_b->getLinearVelocity().length()) << scale;
-			EXPECT_EQ(0, pair.m_b->getAngularVelocity().length()) << scale;
-		}
 }
 }  // namespace testLifetimes

@@ -4,6 +4,7 @@
 // What a joint keeps is always a state that can be put back, whatever happens to its bodies.
 
 #include <limits>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -226,4 +227,24 @@ TEST_P(Capacities, NoNumberOfAStateSpoilsIt)
 
 INSTANTIATE_TEST_SUITE_P(Finite, Capacities, testing::Bool(),
 						 [](const testing::TestParamInfo<bool>& info) { return info.param ? "Fibres" : "Springs"; });
+
+TEST(Bodies, WhoseBasisIsNoRotationAreLeftOutAndTold)
+{
+	for (const Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+		for (const btScalar scale : {btScalar(0), btScalar(1e-10), btScalar(-1), btScalar(3)})
+		{
+			Pair pair(solver, 12);
+			const btElasticPlasticJoint* joint = pair.join(evenCapacity(1e8, 1e6));
+			run(pair.m_world, 2);
+			btTransform pose = pair.m_a->getWorldTransform();
+			const btMatrix3x3 basis = pose.getBasis() * btMatrix3x3(scale, 0, 0, 0, scale, 0, 0, 0, scale);
+			pose.setBasis(basis);
+			pair.m_a->setWorldTransform(pose);
+			run(pair.m_world, 1);
+			const std::string what = joint->fault().m_quantity ? joint->fault().m_quantity : "";
+			EXPECT_NE(std::string::npos, what.find("basis of body A")) << what;
+			EXPECT_EQ(0, pair.m_b->getLinearVelocity().length()) << scale;
+			EXPECT_EQ(0, pair.m_b->getAngularVelocity().length()) << scale;
+		}
+}
 }  // namespace testFinite

@@ -11,6 +11,7 @@
 #include "BulletCollision/CollisionShapes/btConvexHullShape.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "ElasticPlastic/joint/BodyGate.h"
 #include "LinearMath/btConvexHullComputer.h"
 #include "btElasticPlasticAction.h"
 
@@ -36,13 +37,6 @@ struct Piece
 
 /// Normals of one side deviate by rounding, those of two sides by more than this cosine tells (0.8 degrees).
 const btScalar SAME_DIRECTION = btScalar(0.9999);
-
-bool isFinite(const btTransform& pose)
-{
-	const btMatrix3x3& basis = pose.getBasis();
-	const btVector3 sum = basis[0] + basis[1] + basis[2] + pose.getOrigin();
-	return btElasticPlasticIsFinite(double(sum.x() + sum.y() + sum.z()));
-}
 
 /// Two vectors across a normal, right-handed with it.
 void makeAxes(const btVector3& normal, btVector3& u, btVector3& v) { btPlaneSpace1(normal, u, v); }
@@ -297,7 +291,7 @@ bool btElasticPlasticBonding::findFaces(btRigidBody* const* bodies, int numBodie
 		return false;
 	std::vector<Piece> pieces;
 	for (int i = 0; i < numBodies; ++i)
-		if (!bodies[i] || !isFinite(bodies[i]->getCenterOfMassTransform()))
+		if (!bodies[i] || !btElasticPlastic::isWellFormed(*bodies[i]))
 			return false;
 	for (int i = 0; i < numBodies; ++i)
 		addPieces(*bodies[i], *bodies[i]->getCollisionShape(), bodies[i]->getCenterOfMassTransform(), pieces);

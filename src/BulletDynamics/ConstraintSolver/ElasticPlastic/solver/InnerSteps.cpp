@@ -77,8 +77,7 @@ JointRegistry* beginJoints(const SolverGroup& island)
 	bool isOne = true;
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
-		if (i + PREFETCH_AHEAD < island.m_numConstraints && island.m_joints[i + PREFETCH_AHEAD])
-			island.m_joints[i + PREFETCH_AHEAD]->prefetch();
+		island.prefetchJointAfter(i);
 		JointWorks* const joint = island.m_joints[i];
 		if (!joint)
 			continue;
@@ -126,8 +125,7 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 	OpenShare open(true);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
-		if (i + PREFETCH_AHEAD < island.m_numConstraints && island.m_joints[i + PREFETCH_AHEAD])
-			island.m_joints[i + PREFETCH_AHEAD]->prefetch();
+		island.prefetchJointAfter(i);
 		const JointWorks* const works = island.m_joints[i];
 		if (!works || works->m_step.getNumRows() == 0)
 			continue;

@@ -133,10 +133,8 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 		for (int i = 0; i < numConstraints; ++i)
 		{
 			if (i + PREFETCH_AHEAD < numConstraints && m_island.m_joints[i + PREFETCH_AHEAD])
-			{
 				JointWorks::prefetch(constraints[i + PREFETCH_AHEAD]);
-				m_island.m_joints[i + PREFETCH_AHEAD]->prefetch();
-			}
+			m_island.prefetchJointAfter(i);
 			if (i + 1 < numConstraints && m_island.m_joints[i + 1])
 				m_island.m_joints[i + 1]->prefetchFibres();
 			JointWorks* const joint = constraints[i]->isEnabled() ? m_island.m_joints[i] : nullptr;

@@ -23,6 +23,12 @@ uint32_t orderOf(const btCollisionObject& body)
 }
 }  // namespace
 
+void SolverGroup::prefetchJointAfter(int constraint) const
+{
+	if (constraint + PREFETCH_AHEAD < m_numConstraints && m_joints[constraint + PREFETCH_AHEAD])
+		m_joints[constraint + PREFETCH_AHEAD]->prefetch();
+}
+
 int Islands::rootOf(int body)
 {
 	while (m_parent[body] != body)

@@ -35,6 +35,9 @@ struct SolverGroup
 		if (constraint + PREFETCH_AHEAD < m_numConstraints)
 			prefetch(m_constraints[constraint + PREFETCH_AHEAD], m_constraints[constraint + PREFETCH_AHEAD] + 1);
 	}
+
+	/// What a joint has of its own.
+	void prefetchJointAfter(int constraint) const;
 };
 
 /// Takes a group apart: each island with elastic-plastic joints by itself, all others together.
