@@ -193,8 +193,8 @@ TEST(Fire, BringsARodDownThatBearsItsLoadNoMore)
 
 TEST(Fire, BringsACantileverDown)
 {
-	// The load bends the root with 0.6 M_p, which is left at 558.1 degrees. Until then it stays where it is: a stiffness that changes under
-	// load keeps its force.
+	// The load bends the root with 0.6 M_p, which is left at 558.1 degrees. Until then it sags as its stiffness becomes less: by 1 / 0.66 at 440 degrees,
+	// half of the shear's too.
 	for (const bool withFibres : {false, true})
 	{
 		World world(Solver::Direct, btVector3(0, -10, 0));
@@ -217,11 +217,13 @@ TEST(Fire, BringsACantileverDown)
 		};
 		// Fibres of the outermost orbit flow before all of them do: at 0.6 of the moment from 470 degrees on.
 		heatTo(440);
-		EXPECT_NEAR(sag, -double(beam->getCenterOfMassPosition().y()), 0.02 * sag) << withFibres;
+		calm(world, 480);
+		EXPECT_NEAR(sag / 0.66, -double(beam->getCenterOfMassPosition().y()), 0.01 * sag) << withFibres;
 		EXPECT_FALSE(joint->hasYielded());
 		heatTo(553);
-		EXPECT_LT(-double(beam->getCenterOfMassPosition().y()), 3 * sag);
+		EXPECT_LT(-double(beam->getCenterOfMassPosition().y()), 6 * sag);
 		heatTo(563);
+		calm(world, 480);
 		EXPECT_TRUE(joint->hasYielded());
 		run(world, 240, btScalar(1) / 240);
 		EXPECT_LT(double(beam->getCenterOfMassPosition().y()), -5 * sag);

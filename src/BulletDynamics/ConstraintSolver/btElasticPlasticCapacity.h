@@ -73,7 +73,7 @@ struct btElasticPlasticCapacity
 	void scaleYield(btScalar factor);
 
 	/// The same in heat: yield values and stiffnesses, those of fibres too, times the factors, ductility as it was. Give it to a joint
-	/// whenever its temperature has changed: setCapacity() keeps the joint's force, and what is beyond its strength flows off in the next step.
+	/// whenever its temperature has changed: setCapacity() lets the joint sag as its stiffness falls, and what is beyond its strength flows off in the next step.
 	/// Make it from the cold capacity each time. Strength or stiffness 0 takes all degrees of freedom out, as scaleYield() says.
 	btElasticPlasticCapacity heated(const btElasticPlasticHeat& heat) const;
 

@@ -294,6 +294,7 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& capacity)
 {
 	const btElasticPlasticCapacity former = m_capacity;
 	const unsigned before = m_dofs;
+	const Stretch stretch = findStretch();
 	setCapacity(capacity);
 	m_dofs = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -301,10 +302,11 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& capacity)
 			m_dofs |= 1u << i;
 		else
 			m_state.forget(i);
-	takeFibres(former);
+	soften(former, stretch.m_energy);
+	takeFibres(stretch);
 	if (m_hasReference)
 	{
-		keepForce(former);
+		followStiffness(former, stretch);
 		if (m_dofs & ~before)
 			takePoseAsReference(m_dofs & ~before);
 	}
@@ -343,16 +345,81 @@ void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
 		turnReference(deformation);
 }
 
-/// A degree of freedom whose stiffness changes under load keeps its force, and its elastic deformation follows. The change of
-/// its elastic energy counts as numerical energy.
-void JointModel::keepForce(const btElasticPlasticCapacity& before)
+JointModel::Stretch JointModel::findStretch() const
 {
-	double held = 0;
+	Stretch stretch;
+	stretch.m_energy = springEnergy();
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		stretch.m_deformation[i] = elasticDeformation(i);
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+		stretch.m_elongation.push_back(elasticElongation(m_capacity, i));
+	return stretch;
+}
+
+void JointModel::scaleForce(int dof, btScalar factor)
+{
+	btElasticPlasticState& s = m_state;
+	for (btScalar* force : {&s.m_force[dof], &s.m_applied[dof], &s.m_appliedBefore[dof], &s.m_branch[0][dof],
+							&s.m_branch[1][dof], &s.m_branch[2][dof]})
+		*force *= factor;
+}
+
+/// Of a spring that becomes softer the force falls with its stiffness, as that of steel in a fire does: its deformation stays, and what it bears
+/// comes down on it in the steps that follow. With the force that it had it would hold more energy than anybody has given it.
+/// \param most  energy of the springs before [J]
+void JointModel::soften(const btElasticPlasticCapacity& before, double most)
+{
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		if (!m_capacity.isElasticPlastic(i) || m_capacity.isRigidPlastic(i) || !before.isElasticPlastic(i))
+			continue;
+		const btScalar had = before.m_stiffness[i], has = m_capacity.m_stiffness[i];
+		if (before.isRigidPlastic(i) || has < had)
+			scaleForce(i, before.isRigidPlastic(i) ? btScalar(0) : has / had);
+	}
+	const bool areFibres = usesFibres() && m_state.m_fibres.size() == before.m_fibres.size() &&
+						   m_state.m_fibres.size() == m_capacity.m_fibres.size();
+	for (int i = 0; i < m_state.m_fibres.size() && areFibres; ++i)
+		m_state.m_fibres[i].m_force *=
+			btMin(m_capacity.m_fibres[i].m_stiffness / before.m_fibres[i].m_stiffness, btScalar(1));
+	// Coupling may change by itself, or one of two that are coupled.
+	const double energy = springEnergy();
+	if (energy > most)
+	{
+		const btScalar factor = btScalar(sqrt(most / energy));
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			if (!m_capacity.isRigidPlastic(i))
+				scaleForce(i, factor);
+		for (int i = 0; i < m_state.m_fibres.size() && areFibres; ++i)
+			m_state.m_fibres[i].m_force *= factor;
+	}
+	if (areFibres && m_state.m_fibres.size() > 0)
+		sumFibres();
+}
+
+/// The joint's forces are those of its fibres.
+void JointModel::sumFibres()
+{
+	btScalar* const force = m_state.m_force;
+	force[BT_EP_AXIAL] = force[BT_EP_BENDING_Y] = force[BT_EP_BENDING_Z] = 0;
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
+		const btScalar own = m_state.m_fibres[i].m_force;
+		force[BT_EP_AXIAL] += own;
+		force[BT_EP_BENDING_Y] += fibre.m_z * own;
+		force[BT_EP_BENDING_Z] -= fibre.m_y * own;
+	}
+}
+
+/// A degree of freedom that becomes stiffer under load keeps its force, and its elastic deformation becomes less. The change of
+/// its elastic energy counts as numerical energy.
+void JointModel::followStiffness(const btElasticPlasticCapacity& before, const Stretch& stretch)
+{
 	btScalar change[BT_EP_DOF_COUNT] = {};
 	bool areDeformations = true;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
-		held += 0.5 * double(m_state.m_force[i]) * double(elasticDeformation(before, i));
 		const bool isSpring = m_capacity.isElasticPlastic(i) && !m_capacity.isRigidPlastic(i);
 		const bool wasSpring = before.isElasticPlastic(i) && !before.isRigidPlastic(i);
 		const bool isTheSame = m_capacity.m_stiffness[i] == before.m_stiffness[i] &&
@@ -360,19 +427,17 @@ void JointModel::keepForce(const btElasticPlasticCapacity& before)
 		if (!isSpring || !wasSpring || isTheSame)
 			continue;
 		// A force beyond a lower yield value flows off in the next step.
-		change[i] = elasticDeformation(before, i) - elasticDeformation(i);
+		change[i] = stretch.m_deformation[i] - elasticDeformation(i);
 		m_state.m_forceRate[i] = 0;
 		areDeformations &= isDeformation(change[i]);
 	}
 	if (!areDeformations)
 	{
-		// No spring so soft holds so great a force.
 		setReferenceToCurrentPose();
 		return;
 	}
-	const double springs = springEnergy();
-	if (m_state.m_storedEnergy > 0 && held > 0)
-		m_state.m_storedEnergy = fmin(m_state.m_storedEnergy / held, 1) * springs;
+	if (m_state.m_storedEnergy > 0 && stretch.m_energy > 0)
+		m_state.m_storedEnergy = fmin(m_state.m_storedEnergy / stretch.m_energy, 1) * springEnergy();
 	m_state.m_placeEnergy = -1;
 	moveReference(change);
 }
@@ -514,8 +579,8 @@ btElasticPlasticFibreReading JointModel::readFibre(int fibre) const
 	return reading;
 }
 
-/// Fibres that stay keep their forces, new ones take theirs from the joint.
-void JointModel::takeFibres(const btElasticPlasticCapacity& before)
+/// Fibres that stay are stretched as they were, new ones take their forces from the joint.
+void JointModel::takeFibres(const Stretch& stretch)
 {
 	const int n = m_capacity.m_fibres.size();
 	if (m_state.m_fibres.size() != n)
@@ -525,8 +590,8 @@ void JointModel::takeFibres(const btElasticPlasticCapacity& before)
 		followFibres();
 		return;
 	}
-	for (int i = 0; i < n && i < before.m_fibres.size(); ++i)
-		m_state.m_fibres[i].m_offset += elasticElongation(before, i) - elasticElongation(m_capacity, i);
+	for (int i = 0; i < n; ++i)
+		m_state.m_fibres[i].m_offset += stretch.m_elongation[i] - elasticElongation(m_capacity, i);
 }
 
 /// The share of the section's strength that is spent.

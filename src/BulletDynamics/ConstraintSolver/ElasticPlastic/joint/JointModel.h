@@ -226,8 +226,20 @@ private:
 	bool pointsTowardsB() const;
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
-	void keepForce(const btElasticPlasticCapacity& before);
-	void takeFibres(const btElasticPlasticCapacity& before);
+
+	/// What springs hold before their stiffness changes.
+	struct Stretch
+	{
+		btScalar m_deformation[BT_EP_DOF_COUNT];
+		btAlignedObjectArray<btScalar> m_elongation;  ///< of fibres [m]
+		double m_energy;                              ///< [J]
+	};
+	Stretch findStretch() const;
+	void soften(const btElasticPlasticCapacity& before, double most);
+	void scaleForce(int dof, btScalar factor);
+	void sumFibres();
+	void followStiffness(const btElasticPlasticCapacity& before, const Stretch& stretch);
+	void takeFibres(const Stretch& stretch);
 	btScalar elasticElongation(const btElasticPlasticCapacity& capacity, int fibre) const;
 	btScalar forceOf(int fibre, const SectionPlane& branches) const;
 	bool isOfFibres(int dof) const { return btElasticPlasticCapacity::isOfFibres(dof) && usesFibres(); }
