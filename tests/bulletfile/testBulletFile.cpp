@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <random>
 #include <string>
@@ -15,12 +16,15 @@
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/bulletfile/JointBlock.h"
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/snapshot/Archive.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlastic6DofSpring2Constraint.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticBulletFile.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletWorldImporter/btBulletWorldImporter.h"
 #include "LinearMath/btSerializer.h"
 #include "support/Layout.h"
 #include "support/Precision.h"
+#include "support/Repeats.h"
 #include "support/Run.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
@@ -304,6 +308,115 @@ TEST(BulletFile, HasANewVersionForANewLayout)
 	EXPECT_EQ(8u, versionOf(bytes));
 	const uint64_t layout = sizeof(btScalar) == sizeof(double) ? 17029443352925016264u : 6631669470916892024u;
 	EXPECT_EQ(layout, btElasticPlastic::layoutOf<btElasticPlastic::JointBlock>());
+}
+
+/// Bullet's importer loads no constraint of our classes that joins one body to the world, but one of Bullet's own.
+TEST(BulletFile, WhatIsJoinedToTheWorldItselfIsLeftOut)
+{
+	Beam beam;
+	auto* const toWorld = new btElasticPlastic6DofSpring2Constraint(*beam.m_blocks[4], at(btScalar(0.5)));
+	toWorld->setCapacity(evenCapacity(1e6, 7e3));
+	beam.m_world.bullet().addConstraint(toWorld);
+	beam.m_world.action().addJoint(toWorld);
+	auto* const hung = new btPoint2PointConstraint(*beam.m_blocks[2], btVector3(0, 0, 0));
+	beam.m_world.bullet().addConstraint(hung);
+	btElasticPlasticJoint* const last =
+		beam.m_world.joint(*beam.m_blocks[1], *beam.m_blocks[3], at(2), evenCapacity(1e4, 1e3), JointClass::Spring2);
+	const Bytes bytes = beam.write();
+	Loaded loaded(bytes);
+	EXPECT_EQ(6, loaded.m_world.getNumConstraints());
+	ASSERT_FALSE(loaded.import(bytes));
+	EXPECT_EQ(6, loaded.m_world.getNumConstraints());
+	ASSERT_EQ(4, loaded.m_made.size());
+	expectSame(*beam.m_joints[0], *btElasticPlasticJoint::from(loaded.m_made[0]));
+	expectSame(*last, *btElasticPlasticJoint::from(loaded.m_made[3]));
+	for (btTypedConstraint* const constraint :
+		 {static_cast<btTypedConstraint*>(toWorld), static_cast<btTypedConstraint*>(hung)})
+	{
+		beam.m_world.bullet().removeConstraint(constraint);
+		delete constraint;
+	}
+}
+
+/// The first joint in a file with something else in it, and a checksum that is right.
+Bytes forge(const Bytes& bytes, std::mt19937& random)
+{
+	Bytes file = bytes;
+	const std::string mark = "btEPjoin";
+	std::vector<char*> blocks;
+	for (auto at = file.begin(); (at = std::search(at, file.end(), mark.begin(), mark.end())) != file.end(); ++at)
+		blocks.push_back(&*at);
+	char* const block = blocks[random() % blocks.size()];
+	uint32_t size;
+	memcpy(&size, block + 12, sizeof size);
+	char* const body = block + 24;
+	for (unsigned n = 1 + random() % 3; n > 0; --n)
+	{
+		const double numbers[] = {std::numeric_limits<double>::quiet_NaN(),
+								  std::numeric_limits<double>::infinity(),
+								  -1,
+								  0,
+								  1e300,
+								  -1e300,
+								  1e-310,
+								  1e30,
+								  1,
+								  1e-30};
+		const int counts[] = {-1, 0, 1, 15, 16, 17, 100000, 0x7fffffff, -0x7fffffff - 1};
+		const size_t place = random() % (size - 8);
+		switch (random() % 4)
+		{
+			case 0:
+				body[place] ^= char(1 << random() % 8);
+				break;
+			case 1:
+				memcpy(body + place, &numbers[random() % 10], 8);
+				break;
+			case 2:
+				memcpy(body + place / 8 * 8, &numbers[random() % 10], 8);
+				break;
+			default:
+				memcpy(body + place / 4 * 4, &counts[random() % 9], 4);
+		}
+	}
+	const uint64_t sum = btElasticPlastic::checksumOf(reinterpret_cast<unsigned char*>(body), size);
+	memcpy(block + 16, &sum, sizeof sum);
+	return file;
+}
+
+TEST(BulletFile, ForgedJointsAreRefusedOrJoints)
+{
+	const Bytes bytes = Beam().write();
+	std::mt19937 random(2);
+	std::unique_ptr<Loaded> loaded;
+	int taken = 0, all = repeats(100000, 2000);
+	for (int i = 0; i < all; ++i)
+	{
+		if (!loaded)
+			loaded.reset(new Loaded(bytes));
+		if (loaded->import(forge(bytes, random)))
+		{
+			ASSERT_EQ(0, loaded->m_made.size());
+			ASSERT_EQ(4, loaded->m_world.getNumConstraints());
+			continue;
+		}
+		++taken;
+		loaded->run(3);
+		for (int k = 0; k < loaded->m_world.getNumCollisionObjects(); ++k)
+		{
+			// There may be the action's own object, too.
+			const btRigidBody* const body = btRigidBody::upcast(loaded->m_world.getCollisionObjectArray()[k]);
+			ASSERT_TRUE(!body || isFinite(*body)) << i;
+		}
+		for (int j = 0; j < loaded->m_made.size(); ++j)
+		{
+			btElasticPlasticJoint* const joint = btElasticPlasticJoint::from(loaded->m_made[j]);
+			ASSERT_TRUE(joint->setState(joint->getState())) << i;
+		}
+		loaded.reset();
+	}
+	EXPECT_GT(taken, 0);
+	EXPECT_LT(taken, all);
 }
 
 TEST(BulletFile, NothingThatIsSpoiltChangesAJoint)

@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -55,17 +56,49 @@ struct Place
 	std::unique_ptr<btTypedConstraint> m_joint;
 };
 
+/// What every constraint's chunk begins with.
+struct ConstraintHead
+{
+	const void* m_bodies[2];
+	const void* m_name;
+	int m_type;
+};
+
+/// Whether Bullet's importer leaves a constraint of the file out: it loads those that join one body to the world, but not of all classes.
+bool isLeftOut(const btElasticPlastic::FileChunk& constraint, const std::vector<const void*>& bodies)
+{
+	ConstraintHead head;
+	if (constraint.m_size < sizeof head)
+		return false;
+	memcpy(&head, constraint.m_data, sizeof head);
+	const auto isInFile = [&](const void* body)
+	{ return std::find(bodies.begin(), bodies.end(), body) != bodies.end(); };
+	const int numBodies = isInFile(head.m_bodies[0]) + isInFile(head.m_bodies[1]);
+	const bool needsBoth = head.m_type == D6_SPRING_CONSTRAINT_TYPE || head.m_type == D6_SPRING_2_CONSTRAINT_TYPE ||
+						   head.m_type == FIXED_CONSTRAINT_TYPE || head.m_type == GEAR_CONSTRAINT_TYPE;
+	return numBodies < (needsBoth ? 2 : 1);
+}
+
 btElasticPlasticFault read(const void* file, int size, std::vector<Place>& places, int& numConstraints)
 {
 	std::vector<btElasticPlastic::FileChunk> chunks;
+	std::vector<const void*> bodies;
+	bool isOut = false;
 	numConstraints = 0;
 	if (const btElasticPlasticFault fault =
 			btElasticPlastic::findChunks(static_cast<const unsigned char*>(file), size_t(size > 0 ? size : 0), chunks))
 		return fault;
 	for (const btElasticPlastic::FileChunk& chunk : chunks)
+		if (chunk.m_code == BT_RIGIDBODY_CODE)
+			bodies.push_back(chunk.m_id);
+	for (const btElasticPlastic::FileChunk& chunk : chunks)
 	{
-		numConstraints += chunk.m_code == BT_CONSTRAINT_CODE;
-		if (!JointBlock::isIn(chunk))
+		if (chunk.m_code == BT_CONSTRAINT_CODE)
+		{
+			isOut = isLeftOut(chunk, bodies);
+			numConstraints += !isOut;
+		}
+		if (!JointBlock::isIn(chunk) || isOut)
 			continue;
 		// A joint comes right after its constraint.
 		Place place = {numConstraints - 1, JointBlock(), nullptr};

@@ -19,7 +19,8 @@ class btTypedConstraint;
 
 /// Puts elastic-plastic joints in place of the constraints that Bullet has loaded for them, as they were when the file was written, and
 /// gives them to the action. To be called when btBulletWorldImporter has loaded the file. The constraints that it has made
-/// leave the world, and stay the importer's to delete; all others stay in the world in their order.
+/// leave the world, and stay the importer's to delete; all others stay in the world in their order. Joints of a body with the world itself
+/// (made with one body) are left out, as Bullet's importer leaves them out: join to a static body.
 ///
 /// \param file   as it was written; Bullet may change its own copy while it loads it
 /// \param size   of the file [bytes]

@@ -38,7 +38,7 @@ btElasticPlasticFault findChunks(const unsigned char* file, size_t size, std::ve
 		place += sizeof header;
 		if (header.m_length < 0 || size_t(header.m_length) > size - place)
 			break;
-		chunks.push_back({header.m_chunkCode, file + place, size_t(header.m_length)});
+		chunks.push_back({header.m_chunkCode, file + place, size_t(header.m_length), header.m_oldPtr});
 		place += size_t(header.m_length);
 		// The description of all types comes last.
 		if (header.m_chunkCode == BT_DNA_CODE)

@@ -18,6 +18,7 @@ struct FileChunk
 	int m_code;  ///< BT_CONSTRAINT_CODE and others of btSerializer.h
 	const unsigned char* m_data;
 	size_t m_size;
+	const void* m_id;  ///< by which other chunks name it
 };
 
 /// Finds the chunks of a file of Bullet's that this kind of machine has written, in their order.

@@ -99,9 +99,13 @@ btElasticPlasticFault JointBlock::give(JointWorks& joint) const
 		return fault;
 	joint.m_model.m_state = m_state;
 	for (int q = 0; q < BT_EP_QUANTITY_COUNT; ++q)
+	{
 		// What is unlimited in double is more than that in float.
-		if (!face.setLevel(btElasticPlasticQuantity(q), btMin(m_levels[q], btElasticPlasticCapacity::unlimited())))
+		const bool isMore =
+			btElasticPlasticIsNumber(m_levels[q]) && m_levels[q] > btElasticPlasticCapacity::unlimited();
+		if (!face.setLevel(btElasticPlasticQuantity(q), isMore ? btElasticPlasticCapacity::unlimited() : m_levels[q]))
 			return btElasticPlasticFault("level of a quantity", m_levels[q], "greater than 0");
+	}
 	if (!areBounds(m_lastBounds, m_lastFibreBounds, m_capacity))
 		return btElasticPlasticFault("number of bounds of fibres", btScalar(m_lastFibreBounds.size()),
 									 "not above that of fibres, each of them -1, 0 or 1");
