@@ -57,7 +57,7 @@ MUTATIONS = [
              "energy += (i == 3 ? 0.25 : 0.5) * double(m_state.m_force[i]) * double(elasticDeformation(i))", "*Energy*:*Readings*"),
     Mutation("damage without shear z", "JointStep.cpp", "damage += btFabs(mapped[r].m_increment) / m_model.m_capacity.m_ductility[m_row[r].m_dof]",
              "damage += m_row[r].m_dof == 2 ? 0 : btFabs(mapped[r].m_increment) / m_model.m_capacity.m_ductility[m_row[r].m_dof]",
-             "*Damage*:*Break*:*Readings*"),
+             "Ductility.*:*Damage*:*Break*:*Readings*"),
     Mutation("plastic energy", "JointStep.cpp", "state.m_plasticEnergy += force * fabs(double(increment[i]))",
              "state.m_plasticEnergy += 0.99 * force * fabs(double(increment[i]))", "*Energy*"),
     Mutation("work by the last velocity", "JointStep.cpp", "(double(m_row[r].m_velocity0) + double(velocity1[m_row[r].m_dof]))",
