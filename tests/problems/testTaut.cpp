@@ -392,8 +392,9 @@ TEST(Taut, LinksDoNotSpinUpOutOfThePlane)
 				const Gain gain = gainOf(rope.m_world, {30, false}, 9);
 				const testing::Message which = testing::Message()
 											   << settings.ball << " kg, nudged by " << nudge << " rad/s";
-				// The step in which tension comes on, here the first, damps nothing yet: its turns lift the ball.
-				EXPECT_LE(gain.m_byJoints, 5e-4) << which;
+				// Also in the step in which tension comes on, here the first. Its turns lifted the ball by 4e-4.
+				EXPECT_LE(gain.m_byJoints, BY_JOINTS + byPrecision(0, double(SIMD_EPSILON) * sqrt(gain.m_substeps)))
+					<< which;
 				EXPECT_LE(gain.m_later, BY_JOINTS + byPrecision(0, double(SIMD_EPSILON) * sqrt(gain.m_substeps)))
 					<< which;
 			}

@@ -341,7 +341,30 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		m_fibres.begin(m_kinematics.m_strain, motion, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt,
 					   rows);
 	}
-	rows.m_damping = m_model.m_isPaper ? TensionDamping() : TensionDamping::of(m_model, k, dt);
+	if (m_model.m_isPaper)
+		rows.m_damping = TensionDamping();
+	else
+	{
+		const btElasticPlasticState& state = m_model.m_state;
+		const btScalar* const last = m_model.m_isByMode ? state.m_applied : state.m_force;
+		rows.m_damping = TensionDamping::of(m_model, k, m_isTensionKnown ? m_tension : last, dt);
+	}
+	return true;
+}
+
+bool JointStep::foreseeTension()
+{
+	if (m_model.m_state.m_lastStep != 0 || m_numRows == 0 || m_model.m_isPaper || m_isTensionKnown)
+		return false;
+	btScalar force[3] = {0, 0, 0};
+	for (int r = 0; r < m_numRows; ++r)
+		if (m_row[r].m_dof < 3)
+			force[m_row[r].m_dof] = m_row[r].m_impulse / m_dt;
+	if (TensionDamping::of(m_model, m_kinematics, force, m_dt).m_numRows == 0)
+		return false;
+	for (int i = 0; i < 3; ++i)
+		m_tension[i] = force[i];
+	m_isTensionKnown = true;
 	return true;
 }
 

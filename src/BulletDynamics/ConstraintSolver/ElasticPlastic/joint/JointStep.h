@@ -151,6 +151,13 @@ public:
 
 	const FibreStep& getFibres() const { return m_fibres; }
 
+	// ---- a joint's first step
+
+	/// Of a solution that has not been committed, whether its tension asks for a TensionDamping, of which the joint's first step cannot know. Then the step
+	/// is to be solved once more, and knows it.
+	bool foreseeTension();
+	void forgetTension() { m_isTensionKnown = false; }
+
 	/// Forgets the step: the state stays as it was committed last.
 	void revert() { m_numRows = 0; }
 
@@ -248,6 +255,8 @@ private:
 	double m_given = 0;  ///< see setWork()
 	bool m_hasRecovery = false, m_isCut = false, m_isFree = false, m_usesFibres = false, m_isWorkKnown = false;
 	bool m_areAlike = false;               ///< all rows are springs of one law, see SpringLanes
+	bool m_isTensionKnown = false;         ///< m_tension is the step's, see foreseeTension()
+	btScalar m_tension[3] = {};            ///< along the joint's axes [N]
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0[2];  ///< of A and of B at the start of the step [rad/s]

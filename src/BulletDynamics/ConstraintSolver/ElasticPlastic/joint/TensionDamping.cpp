@@ -127,12 +127,11 @@ void TensionDamping::addAlong(const JointModel& model, const Kinematics& k, cons
 		add(along, factor);
 }
 
-TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, btScalar dt)
+TensionDamping TensionDamping::of(const JointModel& model, const Kinematics& k, const btScalar force[3], btScalar dt)
 {
 	TensionDamping damping;
 	if (!((k.m_rA - k.m_rB).length2() > 0))
 		return damping;
-	const btScalar* const force = model.m_isByMode ? model.m_state.m_applied : model.m_state.m_force;
 	const btVector3 sum = k.m_axis[0] * force[0] + k.m_axis[1] * force[1] + k.m_axis[2] * force[2];
 	const GreatestShares greatest(model, k, sum, dt);
 	if (greatest.isAcross())

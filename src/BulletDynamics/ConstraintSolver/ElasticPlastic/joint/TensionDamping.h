@@ -53,9 +53,10 @@ struct TensionDamping
 	int m_numRows = 0;
 	Row m_row[3];
 
-	/// \param k   the joint's axes and arms
-	/// \param dt  of the step [s]
-	static TensionDamping of(const JointModel& model, const Kinematics& k, btScalar dt);
+	/// \param k      the joint's axes and arms
+	/// \param force  along these axes [N]
+	/// \param dt     of the step [s]
+	static TensionDamping of(const JointModel& model, const Kinematics& k, const btScalar force[3], btScalar dt);
 
 private:
 	void add(const btVector3& axis, btScalar factor);

@@ -119,19 +119,22 @@ double yieldEnergyOf(const SolverGroup& island)
 }
 
 /// What the last solution has left open, before joints are committed.
-/// \param flows  becomes true if anything flows
-OpenShare measure(const SolverGroup& island, double length, double ahead, bool& flows)
+/// \param flows   becomes true if anything flows
+/// \param isTaut  if there is one, becomes true if new joints are taut, see JointStep::foreseeTension()
+OpenShare measure(const SolverGroup& island, double length, double ahead, bool& flows, bool* isTaut = nullptr)
 {
 	OpenShare open(true);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
 		island.prefetchJointAfter(i);
-		const JointWorks* const works = island.m_joints[i];
+		JointWorks* const works = island.m_joints[i];
 		if (!works || works->m_step.getNumRows() == 0)
 			continue;
 		const JointStep& step = works->m_step;
 		const btElasticPlasticState& state = works->m_model.m_state;
 		flows = flows || step.isFlowing();
+		if (isTaut)
+			*isTaut |= works->m_step.foreseeTension();
 		OpenShare::Motion motion = {};
 		motion.m_path = state.m_plasticPath;
 		step.projectVelocities(motion.m_after);
@@ -169,6 +172,13 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 					open.addSupport(*body, island.m_joints[i]->m_step.getKinematics().m_rA +
 											   island.m_constraints[i]->getRigidBodyA().getCenterOfMassPosition());
 	return open;
+}
+
+void forgetTension(const SolverGroup& island)
+{
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i])
+			island.m_joints[i]->m_step.forgetTension();
 }
 
 /// Whether there is the work for the contacts of two inner steps.
@@ -222,6 +232,7 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 	if (m_state.hasBounceAhead(task.m_info.m_restitutionVelocityThreshold))
 		btSetMax(level, BOUNCE_LEVEL);
 	btSetMin(level, task.m_maxLevel);
+	bool isTensionKnown = false;
 	for (;;)
 	{
 		task.m_numSolutions = 0;
@@ -230,7 +241,12 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 		// The first whole step after inner ones is the only one of its kind: velocities come to belong to another time.
 		const bool isWhole = level == 0 && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
-		if (attempt.m_next == level)
+		// Once in a step: the second solution is what the first one has foreseen.
+		const bool isAgain = attempt.m_next == level && attempt.m_isTaut && !isTensionKnown && hasWorkForAnother(task);
+		if ((attempt.m_isTaut || isTensionKnown) && !isAgain)
+			forgetTension(island);
+		isTensionKnown = isAgain;
+		if (attempt.m_next == level && !isAgain)
 		{
 			remember(task, level, attempt);
 			return;
@@ -267,7 +283,7 @@ InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
 	const double dt = task.m_info.m_timeStep;
 	Attempt attempt = {};
-	const OpenShare left = measure(task.m_island, dt, dt, attempt.m_flows);
+	const OpenShare left = measure(task.m_island, dt, dt, attempt.m_flows, &attempt.m_isTaut);
 	attempt.m_isStruck = isStruck(task, 0);
 	attempt.m_power = left.getPower();
 	attempt.m_yieldEnergy = left.getYieldEnergy();
@@ -377,6 +393,12 @@ double InnerSteps::expectWork(const Task& task, int from, int level) const
 				 factors = double(task.m_statistics.m_factorisations - task.m_factorsAtBegin),
 				 mean = work / task.m_numSolutions, least = work / btMax(factors, double(task.m_numSolutions));
 	return (least + (mean - least) * exp2(0.5 * (from - level))) * exp2(level);
+}
+
+/// Whether there is the work to do once more what an attempt has done.
+bool InnerSteps::hasWorkForAnother(const Task& task) const
+{
+	return task.m_settings.m_maxWork == 0 || task.getWorkOfAttempt() <= task.getWorkLeft();
 }
 
 /// The highest level up to one that the settings have the work for.
