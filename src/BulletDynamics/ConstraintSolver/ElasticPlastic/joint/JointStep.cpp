@@ -344,23 +344,48 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 	if (m_model.m_isPaper)
 		rows.m_damping = TensionDamping();
 	else
-	{
-		const btElasticPlasticState& state = m_model.m_state;
-		const btScalar* const last = m_model.m_isByMode ? state.m_applied : state.m_force;
-		rows.m_damping = TensionDamping::of(m_model, k, m_isTensionKnown ? m_tension : last, dt);
-	}
+		rows.m_damping = TensionDamping::of(m_model, k, m_isTensionKnown ? m_tension : lastForce(), dt);
+	m_tensionDamping = rows.m_damping.getSum();
 	return true;
+}
+
+/// By which the step's tension is foreseen.
+const btScalar* JointStep::lastForce() const
+{
+	return m_model.m_isByMode ? m_model.m_state.m_applied : m_model.m_state.m_force;
+}
+
+/// The greatest moment by which the joint resists bending within a radian [N m].
+btScalar JointStep::bendingWithinARadian() const
+{
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	btScalar most = 0;
+	for (int dof = BT_EP_BENDING_Y; dof <= BT_EP_BENDING_Z; ++dof)
+		if (m_model.isElasticPlastic(dof))
+			btSetMax(most, capacity.isRigidPlastic(dof) ? capacity.m_yield[dof]
+														: btMin(capacity.m_yield[dof], capacity.m_stiffness[dof]));
+	return most;
 }
 
 bool JointStep::foreseeTension()
 {
-	if (m_model.m_state.m_lastStep != 0 || m_numRows == 0 || m_model.m_isPaper || m_isTensionKnown)
+	if (m_numRows == 0 || m_model.m_isPaper || m_isTensionKnown)
 		return false;
-	btScalar force[3] = {0, 0, 0};
+	btScalar force[3] = {0, 0, 0}, now = 0, before = 0;
 	for (int r = 0; r < m_numRows; ++r)
 		if (m_row[r].m_dof < 3)
 			force[m_row[r].m_dof] = m_row[r].m_impulse / m_dt;
-	if (TensionDamping::of(m_model, m_kinematics, force, m_dt).m_numRows == 0)
+	for (int i = 0; i < 3; ++i)
+	{
+		now += force[i] * force[i];
+		before += lastForce()[i] * lastForce()[i];
+	}
+	// Most forces are what they were.
+	if (!(now > 4 * before))
+		return false;
+	const btScalar damping = TensionDamping::of(m_model, m_kinematics, force, m_dt).getSum();
+	const bool isRope = bendingWithinARadian() * m_dt * m_dt < damping * btScalar(0.05);
+	if (!(damping > 2 * m_tensionDamping) || !(isRope || m_model.m_state.m_lastStep == 0))
 		return false;
 	for (int i = 0; i < 3; ++i)
 		m_tension[i] = force[i];

@@ -151,10 +151,11 @@ public:
 
 	const FibreStep& getFibres() const { return m_fibres; }
 
-	// ---- a joint's first step
+	// ---- where tension comes on within the step
 
-	/// Of a solution that has not been committed, whether its tension asks for a TensionDamping, of which the joint's first step cannot know. Then the step
-	/// is to be solved once more, and knows it.
+	/// Of a solution that has not been committed, whether its tension asks for more than twice the TensionDamping that it was solved with, by the tension of
+	/// the step before: in a joint's first step, and of a joint that is as good as a rope's, with next to no strength in bending. Then the step is to be
+	/// solved once more, and knows it.
 	bool foreseeTension();
 	void forgetTension() { m_isTensionKnown = false; }
 
@@ -207,6 +208,8 @@ private:
 	};
 
 	void withholdDrift();
+	const btScalar* lastForce() const;
+	btScalar bendingWithinARadian() const;
 	bool carriesWaves(int r, btScalar diagonal) const;
 	bool areAlike() const;
 	void makeRows(btScalar erp, JointRows& rows);
@@ -257,6 +260,7 @@ private:
 	bool m_areAlike = false;               ///< all rows are springs of one law, see SpringLanes
 	bool m_isTensionKnown = false;         ///< m_tension is the step's, see foreseeTension()
 	btScalar m_tension[3] = {};            ///< along the joint's axes [N]
+	btScalar m_tensionDamping = 0;         ///< that the step is solved with, see TensionDamping::getSum()
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0[2];  ///< of A and of B at the start of the step [rad/s]

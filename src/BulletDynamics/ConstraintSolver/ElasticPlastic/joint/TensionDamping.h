@@ -58,6 +58,15 @@ struct TensionDamping
 	/// \param dt     of the step [s]
 	static TensionDamping of(const JointModel& model, const Kinematics& k, const btScalar force[3], btScalar dt);
 
+	/// Of all rows [N m s / (rad/s)].
+	btScalar getSum() const
+	{
+		btScalar sum = 0;
+		for (int i = 0; i < m_numRows; ++i)
+			sum += m_row[i].m_factor;
+		return sum;
+	}
+
 private:
 	void add(const btVector3& axis, btScalar factor);
 	void addAcross(const JointModel& model, const Kinematics& k, const btVector3& force, btScalar dt);

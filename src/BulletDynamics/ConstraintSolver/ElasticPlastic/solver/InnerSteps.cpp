@@ -120,7 +120,7 @@ double yieldEnergyOf(const SolverGroup& island)
 
 /// What the last solution has left open, before joints are committed.
 /// \param flows   becomes true if anything flows
-/// \param isTaut  if there is one, becomes true if new joints are taut, see JointStep::foreseeTension()
+/// \param isTaut  if there is one, becomes true if joints are taut that were not, see JointStep::foreseeTension()
 OpenShare measure(const SolverGroup& island, double length, double ahead, bool& flows, bool* isTaut = nullptr)
 {
 	OpenShare open(true);

@@ -81,7 +81,7 @@ private:
 		double m_doubted;               ///< with what may be rounding
 		double m_power, m_yieldEnergy;  ///< the largest of OpenShare's [W], [J]
 		bool m_flows;                   ///< something has flowed
-		bool m_isTaut;                  ///< new joints are taut, see JointStep::foreseeTension()
+		bool m_isTaut;                  ///< joints are taut that were not, see JointStep::foreseeTension()
 		bool m_isStruck;                ///< a blow has come within a step that is too long for any
 		bool m_isLong;                  ///< more has been left open than is allowed, whether it counts or not
 		int m_next;  ///< the level at which the island goes back and begins again; the same one: it is solved
