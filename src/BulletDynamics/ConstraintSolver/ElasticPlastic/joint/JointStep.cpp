@@ -369,7 +369,7 @@ btScalar JointStep::bendingWithinARadian() const
 
 bool JointStep::foreseeTension()
 {
-	if (m_numRows == 0 || m_model.m_isPaper || m_isTensionKnown)
+	if (m_numRows == 0 || m_model.m_isPaper)
 		return false;
 	btScalar force[3] = {0, 0, 0}, now = 0, before = 0;
 	for (int r = 0; r < m_numRows; ++r)

@@ -40,6 +40,8 @@ const int QUIET_STEPS = 6, MOST_QUIET_STEPS = 2 * QUIET_STEPS;
 /// What rings moves no faster than this many times as fast as it has, which is forgotten by a share in each step.
 const double RINGING_MARGIN = 1.25;
 const float RINGING_KEPT = 0.95f;
+/// How often a step is solved once more because tension comes on in it: each time it is foreseen better.
+const int MOST_FORESEEN = 4;
 /// The share of the work allowed that an attempt has to have done before it can be too much: its first steps may be the blow.
 const double LEAST_WORK_SHARE = 1. / 8;
 /// A contact that closes with this share of the energy by which springs yield is a blow.
@@ -232,7 +234,7 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 	if (m_state.hasBounceAhead(task.m_info.m_restitutionVelocityThreshold))
 		btSetMax(level, BOUNCE_LEVEL);
 	btSetMin(level, task.m_maxLevel);
-	bool isTensionKnown = false;
+	int timesForeseen = 0;
 	for (;;)
 	{
 		task.m_numSolutions = 0;
@@ -241,11 +243,10 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 		// The first whole step after inner ones is the only one of its kind: velocities come to belong to another time.
 		const bool isWhole = level == 0 && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
-		// Once in a step: the second solution is what the first one has foreseen.
-		const bool isAgain = attempt.m_next == level && attempt.m_isTaut && !isTensionKnown && hasWorkForAnother(task);
-		if ((attempt.m_isTaut || isTensionKnown) && !isAgain)
+		const bool isAgain = attempt.m_next == level && attempt.m_isTaut && timesForeseen < MOST_FORESEEN && hasWorkForAnother(task);
+		if ((attempt.m_isTaut || timesForeseen > 0) && !isAgain)
 			forgetTension(island);
-		isTensionKnown = isAgain;
+		timesForeseen = isAgain ? timesForeseen + 1 : 0;
 		if (attempt.m_next == level && !isAgain)
 		{
 			remember(task, level, attempt);
