@@ -439,20 +439,26 @@ int numRopes()
 	return given ? atoi(given) : 50;
 }
 
+void expectNothingMade(unsigned seed)
+{
+	const RandomRope random(seed);
+	Rope rope(random.m_settings);
+	for (const auto& body : rope.m_world.bodies())
+		body->setFlags(0);
+	const Gain gain = gainOf(rope.m_world, random.m_stepping, 2 * WINDOW);
+	const testing::Message which = testing::Message() << "seed " << seed << ", " << random.m_settings.links
+													  << " links, " << random.m_stepping.name();
+	EXPECT_LE(gain.m_byJoints, BY_JOINTS) << which;
+	EXPECT_LE(gain.m_later, BY_JOINTS + byPrecision(0, double(SIMD_EPSILON) * sqrt(gain.m_substeps))) << which;
+}
+
 TEST(Taut, RandomRopesMakeNoEnergy)
 {
 	for (int seed = 0; seed < numRopes(); ++seed)
-	{
-		const RandomRope random{unsigned(seed)};
-		Rope rope(random.m_settings);
-		for (const auto& body : rope.m_world.bodies())
-			body->setFlags(0);
-		const Gain gain = gainOf(rope.m_world, random.m_stepping, 2 * WINDOW);
-		const testing::Message which = testing::Message() << "seed " << seed << ", " << random.m_settings.links
-														  << " links, " << random.m_stepping.name();
-		EXPECT_LE(gain.m_byJoints, BY_JOINTS) << which;
-		EXPECT_LE(gain.m_later, BY_JOINTS + byPrecision(0, double(SIMD_EPSILON) * sqrt(gain.m_substeps))) << which;
-	}
+		expectNothingMade(unsigned(seed));
+	// Of the first thousand these made up to 60 per cent, in steps in which a slack rope becomes taut, and all links turn at once.
+	for (const unsigned seed : {215u, 659u, 824u, 993u})
+		expectNothingMade(seed);
 }
 
 TEST(Taut, StripsAndBarsMakeNoEnergy)
