@@ -226,6 +226,95 @@ TEST(JointStep, ALesserStiffnessKeepsTheDeformation)
 			}
 }
 
+/// Two bodies that fly and turn about a joint, whose capacity changes while its springs are loaded: bodies and joint never have more than at the start.
+TEST(JointStep, NoChangeOfCapacityGivesEnergy)
+{
+	typedef btElasticPlasticCapacity Capacity;
+	const auto member = [](int fibres)
+	{
+		btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(1e9));
+		steel.m_youngsModulus = btScalar(1e8);
+		steel.m_dampingRatio = 0;
+		btElasticPlasticSection section = btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.2));
+		Capacity made =
+			Capacity::fromMember(steel, fibres > 0 ? section.withFibres(fibres) : section, btScalar(0.6), 1);
+		made.m_length = 0;
+		return made;
+	};
+	const auto heated = [](const Capacity& capacity, double stiffness)
+	{
+		btElasticPlasticHeat heat;
+		heat.m_stiffness = btScalar(stiffness);
+		return capacity.heated(heat);
+	};
+	const auto rigid = [](Capacity capacity, int dof)
+	{
+		capacity.setRigidPlastic(dof, btScalar(1e9));
+		return capacity;
+	};
+	const auto withoutFibres = [](Capacity capacity)
+	{
+		capacity.m_fibres.clear();
+		return capacity;
+	};
+	std::vector<std::vector<Capacity>> cases = {
+		{member(8), heated(member(8), 47), withoutFibres(heated(member(8), 47))},
+		{member(8), member(16), member(0), member(8)},
+		{member(0), heated(member(0), 1e-3), heated(member(0), 1e3), member(0)},
+		{member(8), heated(member(8), 1e-3), heated(member(8), 1e3), member(8)}};
+	for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+		cases.push_back({member(0), rigid(member(0), dof), member(0)});
+	for (const Solver solver : {Solver::Direct, Solver::Iterative, Solver::Stock})
+		for (size_t i = 0; i < cases.size(); ++i)
+			for (const int rate : {60, 240, 1000})
+				for (const int before : {7, 13, 22})
+				{
+					Pair pair(solver, 100, 100);
+					pair.m_frame = at(btScalar(0.5));
+					btElasticPlasticJoint* const joint = pair.join(cases[i][0]);
+					pair.m_b->setLinearVelocity(btVector3(btScalar(0.2), btScalar(-0.1), btScalar(0.15)));
+					pair.m_b->setAngularVelocity(btVector3(btScalar(0.1), btScalar(0.2), btScalar(-0.1)));
+					const double start = pair.m_world.kineticEnergy();
+					double most = 0;
+					for (size_t k = 1; k <= cases[i].size(); ++k)
+					{
+						for (int step = 0; step < before; ++step)
+						{
+							pair.m_world.step(btScalar(1) / btScalar(rate));
+							most = fmax(most, pair.m_world.kineticEnergy() + joint->getElasticEnergy() +
+												  joint->getPlasticEnergy());
+						}
+						if (k < cases[i].size())
+						{
+							EXPECT_TRUE(joint->setCapacity(cases[i][k]));
+						}
+					}
+					EXPECT_LE(most, start * (1 + byPrecision(1e-3, 5e-3)))
+						<< "solver " << int(solver) << ", case " << i << ", rate " << rate << ", before " << before;
+				}
+}
+
+/// A member with fibres of whose shears one is coupled with bending, and one is not.
+TEST(JointStep, FibresMayBeCoupledWithOneShear)
+{
+	for (int shear = 0; shear < 2; ++shear)
+		for (int loaded = 0; loaded < 2; ++loaded)
+		{
+			btVector3 gravity(0, 0, 0);
+			gravity[1 + loaded] = -10;
+			Pair pair(Solver::Direct, 0, 100, gravity);
+			btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
+				btElasticPlasticMaterial::steel(),
+				btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.1)).withFibres(8), 0, 2);
+			capacity.m_coupling[shear] = 0;
+			btElasticPlasticJoint* const joint = pair.join(capacity);
+			run(pair.m_world, 300);
+			const int dof = BT_EP_SHEAR_Y + loaded;
+			EXPECT_NEAR(-1000, double(joint->getForce(dof)), 5);
+			EXPECT_NEAR(double(joint->getAppliedForce(dof)), double(joint->getForce(dof)), 5);
+		}
+}
+
 /// Bullet's own solvers give explicit rows: whatever a fast heavy body does to them, what has borne no force has not flowed.
 TEST(JointStep, NeitherFlowNorBreakWithoutAnImpulse)
 {

@@ -67,6 +67,11 @@ btElasticPlasticFault findBodyFault(const btRigidBody& body, bool isBodyA, bool 
 			"1, the basis that of a rotation: the joint is left out of the steps in which it is not");
 	if (body.getInvMass() == 0)
 		return btElasticPlasticFault();
+	// Bullet's solvers would move it, and threads of ours at the same time.
+	if (body.isStaticObject())
+		return btElasticPlasticFault(
+			isBodyA ? "mass of body A, a static one [kg]" : "mass of body B, a static one [kg]", 1 / body.getInvMass(),
+			"0: call btRigidBody::setMassProps; the joint is left out of steps until then");
 	if (const btElasticPlasticFault fault = findMissingWorld(body, isBodyA))
 		return fault;
 	const btVector3& inverse = body.getInvInertiaDiagLocal();

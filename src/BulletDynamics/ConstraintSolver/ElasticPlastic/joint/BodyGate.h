@@ -17,8 +17,8 @@ bool isWellFormed(const btRigidBody& body);
 /// \return a fault if a body that can move is in no world, or is a collision object of another kind that was cast to a rigid body
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA);
 
-/// \return the fault of a body that keeps its joints out of the present step: it is not well formed, or it can move and is in no
-/// world or has no inertia
+/// \return the fault of a body that keeps its joints out of the present step: it is not well formed, it can move and is in no
+/// world or has no inertia, or it is static and has a mass
 /// \param isBodyA   whether it is the joint's first body, for the fault's text
 /// \param isTurned  whether the joint bears moments
 btElasticPlasticFault findBodyFault(const btRigidBody& body, bool isBodyA, bool isTurned);

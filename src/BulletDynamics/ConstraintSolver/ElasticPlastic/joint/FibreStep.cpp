@@ -534,7 +534,8 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 		for (int s = 0; s < 2; ++s)
 			turned[s] += spring.m_coupling[s] * force;
 	}
-	outcome.m_isCoupled = true;
+	for (int s = 0; s < 2; ++s)
+		outcome.m_isCoupled[s] = m_shearRow[s] >= 0;
 	for (int s = 0; s < 2; ++s)
 	{
 		const CoupledBundle::Spring& spring = m_bundle.m_shear[s];
@@ -572,7 +573,8 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 		const bool opens = m_model.bearsPressureOnly(i) && beyond > 0;
 		m_mapped[i] = {force, double(total), opens ? beyond : 0, opens ? 0 : beyond, 0};
 	}
-	outcome.m_isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
+	for (int s = 0; s < 2; ++s)
+		outcome.m_isCoupled[s] = m_shearRow[s] >= 0;
 	for (int s = 0; s < 2; ++s)
 	{
 		if (m_shearRow[s] < 0)

@@ -66,7 +66,7 @@ public:
 		double m_plasticEnergy = 0;
 		bool m_flowed = false;
 		bool m_hasMoved = false;   ///< an offset has changed
-		bool m_isCoupled = false;  ///< whether the shears' mapping follows from the fibres' one, as given here
+		bool m_isCoupled[2] = {};  ///< whether the shears' mapping follows from the fibres' one, as given here
 		ReturnMapping m_shear[2];
 		// Of the damping's branches:
 		SectionForces m_branch[MaterialDamping::BRANCHES];  ///< at the end of the step

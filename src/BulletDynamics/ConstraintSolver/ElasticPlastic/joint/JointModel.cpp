@@ -302,13 +302,20 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& capacity)
 			m_dofs |= 1u << i;
 		else
 			m_state.forget(i);
-	soften(former, stretch.m_energy);
-	takeFibres(stretch);
+	const bool areSame = hasFibresAt(former);
+	soften(former, stretch.m_energy, areSame);
+	takeFibres(stretch, areSame);
 	if (m_hasReference)
 	{
 		followStiffness(former, stretch);
-		if (m_dofs & ~before)
-			takePoseAsReference(m_dofs & ~before);
+		unsigned held = m_dofs & ~before;
+		// What rigid rows have left open is no stretch of a spring.
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			if (former.isElasticPlastic(i) && former.isRigidPlastic(i) && isElasticPlastic(i) &&
+				!m_capacity.isRigidPlastic(i))
+				held |= 1u << i;
+		if (held)
+			takePoseAsReference(held);
 	}
 	else
 		takeRoundingAsReference();
@@ -367,7 +374,7 @@ void JointModel::scaleForce(int dof, btScalar factor)
 /// Of a spring that becomes softer the force falls with its stiffness, as that of steel in a fire does: its deformation stays, and what it bears
 /// comes down on it in the steps that follow. With the force that it had it would hold more energy than anybody has given it.
 /// \param most  energy of the springs before [J]
-void JointModel::soften(const btElasticPlasticCapacity& before, double most)
+void JointModel::soften(const btElasticPlasticCapacity& before, double most, bool areSame)
 {
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
@@ -377,8 +384,7 @@ void JointModel::soften(const btElasticPlasticCapacity& before, double most)
 		if (before.isRigidPlastic(i) || has < had)
 			scaleForce(i, before.isRigidPlastic(i) ? btScalar(0) : has / had);
 	}
-	const bool areFibres = usesFibres() && m_state.m_fibres.size() == before.m_fibres.size() &&
-						   m_state.m_fibres.size() == m_capacity.m_fibres.size();
+	const bool areFibres = usesFibres() && areSame;
 	for (int i = 0; i < m_state.m_fibres.size() && areFibres; ++i)
 		m_state.m_fibres[i].m_force *=
 			btMin(m_capacity.m_fibres[i].m_stiffness / before.m_fibres[i].m_stiffness, btScalar(1));
@@ -395,6 +401,17 @@ void JointModel::soften(const btElasticPlasticCapacity& before, double most)
 	}
 	if (areFibres && m_state.m_fibres.size() > 0)
 		sumFibres();
+}
+
+/// Whether the fibres are as many, and where those of a capacity before were.
+bool JointModel::hasFibresAt(const btElasticPlasticCapacity& before) const
+{
+	const int n = m_capacity.m_fibres.size();
+	bool areSame = m_state.m_fibres.size() == n && before.m_fibres.size() == n;
+	for (int i = 0; i < n && areSame; ++i)
+		areSame = m_capacity.m_fibres[i].m_y == before.m_fibres[i].m_y &&
+				  m_capacity.m_fibres[i].m_z == before.m_fibres[i].m_z;
+	return areSame;
 }
 
 /// The joint's forces are those of its fibres.
@@ -422,12 +439,13 @@ void JointModel::followStiffness(const btElasticPlasticCapacity& before, const S
 	{
 		const bool isSpring = m_capacity.isElasticPlastic(i) && !m_capacity.isRigidPlastic(i);
 		const bool wasSpring = before.isElasticPlastic(i) && !before.isRigidPlastic(i);
-		const bool isTheSame = m_capacity.m_stiffness[i] == before.m_stiffness[i] &&
-							   m_capacity.couplingCompliance(i) == before.couplingCompliance(i);
-		if (!isSpring || !wasSpring || isTheSame)
+		const bool isRigid = m_capacity.isElasticPlastic(i) && m_capacity.isRigidPlastic(i);
+		if (!wasSpring || (!isSpring && !isRigid))
 			continue;
-		// A force beyond a lower yield value flows off in the next step.
-		change[i] = stretch.m_deformation[i] - elasticDeformation(i);
+		// A force beyond a lower yield value flows off in the next step. Rigid rows would take a spring's stretch back as an error.
+		change[i] = stretch.m_deformation[i] - (isSpring ? elasticDeformation(i) : btScalar(0));
+		if (change[i] == 0)
+			continue;
 		m_state.m_forceRate[i] = 0;
 		areDeformations &= isDeformation(change[i]);
 	}
@@ -579,14 +597,21 @@ btElasticPlasticFibreReading JointModel::readFibre(int fibre) const
 	return reading;
 }
 
-/// Fibres that stay are stretched as they were, new ones take their forces from the joint.
-void JointModel::takeFibres(const Stretch& stretch)
+/// Fibres that stay are stretched as they were, new ones take their forces from the joint, as far as there is the energy for it.
+void JointModel::takeFibres(const Stretch& stretch, bool areSame)
 {
 	const int n = m_capacity.m_fibres.size();
-	if (m_state.m_fibres.size() != n)
+	if (!areSame)
 	{
 		m_state.m_fibres.resize(0);
 		m_state.m_fibres.resize(n);
+		followFibres();
+		const double energy = springEnergy();
+		if (!(energy > stretch.m_energy))
+			return;
+		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+			if (!m_capacity.isRigidPlastic(i))
+				scaleForce(i, btScalar(sqrt(stretch.m_energy / energy)));
 		followFibres();
 		return;
 	}

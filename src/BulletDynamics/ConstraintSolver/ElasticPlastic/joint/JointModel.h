@@ -235,11 +235,12 @@ private:
 		double m_energy;                              ///< [J]
 	};
 	Stretch findStretch() const;
-	void soften(const btElasticPlasticCapacity& before, double most);
+	bool hasFibresAt(const btElasticPlasticCapacity& before) const;
+	void soften(const btElasticPlasticCapacity& before, double most, bool areSame);
 	void scaleForce(int dof, btScalar factor);
 	void sumFibres();
 	void followStiffness(const btElasticPlasticCapacity& before, const Stretch& stretch);
-	void takeFibres(const Stretch& stretch);
+	void takeFibres(const Stretch& stretch, bool areSame);
 	btScalar elasticElongation(const btElasticPlasticCapacity& capacity, int fibre) const;
 	btScalar forceOf(int fibre, const SectionPlane& branches) const;
 	bool isOfFibres(int dof) const { return btElasticPlasticCapacity::isOfFibres(dof) && usesFibres(); }

@@ -605,7 +605,7 @@ FibreStep::Outcome JointStep::commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]
 	for (int r = 0; r < numPlain; ++r)
 	{
 		const int shear = m_row[r].m_dof - BT_EP_SHEAR_Y;
-		if (outcome.m_isCoupled && (shear == 0 || shear == 1))
+		if ((shear == 0 || shear == 1) && outcome.m_isCoupled[shear])
 			mapped[r] = outcome.m_shear[shear];
 		if (!m_isCut)
 			continue;
@@ -712,7 +712,7 @@ void JointStep::damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Ou
 		if (m_row[r].m_partner >= 0 && i < 3)
 			coupling[i - BT_EP_SHEAR_Y] = m_row[r].m_coupling;
 	}
-	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && fibres.m_isCoupled; ++i)
+	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z && (fibres.m_isCoupled[0] || fibres.m_isCoupled[1]); ++i)
 		coupling[i - BT_EP_SHEAR_Y] = m_model.m_capacity.couplingCompliance(i);
 	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
 	{

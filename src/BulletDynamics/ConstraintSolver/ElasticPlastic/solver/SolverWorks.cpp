@@ -27,15 +27,19 @@ bool isAsleep(const SolverGroup& island)
 /// it has a kinematic body, to which Bullet writes its index among one solver's bodies.
 bool isForAnyThread(const SolverGroup& island)
 {
+	// Bullet's solver gives a kinematic body, and a static one that has kept its mass, a place of its own in each island.
+	const auto hasPlace = [](const btCollisionObject& object)
+	{
+		const btRigidBody* const body = btRigidBody::upcast(&object);
+		return object.isKinematicObject() || (object.isStaticObject() && body && body->getInvMass() != 0);
+	};
 	if (LinearSolver::mayKeepFactor(island.m_numBodies))
 		return false;
 	for (int i = 0; i < island.m_numConstraints; ++i)
-		if (island.m_constraints[i]->getRigidBodyA().isKinematicObject() ||
-			island.m_constraints[i]->getRigidBodyB().isKinematicObject())
+		if (hasPlace(island.m_constraints[i]->getRigidBodyA()) || hasPlace(island.m_constraints[i]->getRigidBodyB()))
 			return false;
 	for (int i = 0; i < island.m_numManifolds; ++i)
-		if (island.m_manifolds[i]->getBody0()->isKinematicObject() ||
-			island.m_manifolds[i]->getBody1()->isKinematicObject())
+		if (hasPlace(*island.m_manifolds[i]->getBody0()) || hasPlace(*island.m_manifolds[i]->getBody1()))
 			return false;
 	return true;
 }
