@@ -243,7 +243,8 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 		// The first whole step after inner ones is the only one of its kind: velocities come to belong to another time.
 		const bool isWhole = level == 0 && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
-		const bool isAgain = attempt.m_next == level && attempt.m_isTaut && timesForeseen < MOST_FORESEEN && hasWorkForAnother(task);
+		const bool isAgain =
+			attempt.m_next == level && attempt.m_isTaut && timesForeseen < MOST_FORESEEN && hasWorkForAnother(task);
 		if ((attempt.m_isTaut || timesForeseen > 0) && !isAgain)
 			forgetTension(island);
 		timesForeseen = isAgain ? timesForeseen + 1 : 0;
