@@ -456,8 +456,8 @@ TEST(Taut, RandomRopesMakeNoEnergy)
 {
 	for (int seed = 0; seed < numRopes(); ++seed)
 		expectNothingMade(unsigned(seed));
-	// Of the first thousand these made up to 60 per cent, in steps in which a slack rope becomes taut, and all links turn at once.
-	for (const unsigned seed : {215u, 659u, 824u, 993u})
+	// Of the first thousand these made up to 60 per cent, in steps in which a slack rope becomes taut, or of which the control changes the length.
+	for (const unsigned seed : {215u, 547u, 574u, 659u, 742u, 797u, 824u, 993u})
 		expectNothingMade(seed);
 }
 

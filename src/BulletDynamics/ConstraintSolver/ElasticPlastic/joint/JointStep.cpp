@@ -367,6 +367,13 @@ btScalar JointStep::bendingWithinARadian() const
 	return most;
 }
 
+bool JointStep::isOfRope() const
+{
+	const btScalar arm = (m_kinematics.m_rA - m_kinematics.m_rB).length();
+	return !m_model.m_isPaper &&
+		   bendingWithinARadian() < btScalar(1e-3) * arm * m_model.m_capacity.m_yield[BT_EP_AXIAL];
+}
+
 bool JointStep::foreseeTension()
 {
 	if (m_numRows == 0 || m_model.m_isPaper)

@@ -89,7 +89,7 @@ JointRegistry* beginJoints(const SolverGroup& island)
 		registry = registry ? registry : joint->m_entry.m_registry;
 		isOne &= isEnded && joint->m_entry.m_registry == registry && !joint->m_model.m_isPaper;
 	}
-	return isOne && registry && !registry->isStepControlled() ? registry : nullptr;
+	return isOne ? registry : nullptr;
 }
 
 /// Whether all joints have a material that damps: what rings comes to rest.
@@ -176,6 +176,14 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 	return open;
 }
 
+bool hasRope(const SolverGroup& island)
+{
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i] && island.m_joints[i]->m_step.isOfRope())
+			return true;
+	return false;
+}
+
 void forgetTension(const SolverGroup& island)
 {
 	for (int i = 0; i < island.m_numConstraints; ++i)
@@ -217,6 +225,16 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	{
 		solution.solveStep(info, 1, settings.m_maxWork);
 		return;
+	}
+	if (registry->isStepControlled())
+	{
+		// It chooses the steps' length itself. Ropes alone are told when that changes.
+		if (!hasRope(island))
+		{
+			solution.solveStep(info, 1, settings.m_maxWork);
+			return;
+		}
+		task.m_maxLevel = 0;
 	}
 	m_motions.clear();
 	take(task, *registry);
