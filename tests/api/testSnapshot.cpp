@@ -493,46 +493,56 @@ TEST(Snapshot, IsRefusedWithinAStep)
 	scene.m_world.action().removeListener(&listener);
 }
 
+/// A world that has been saved, with somebody else's proxy in its broadphase.
+struct WithForeignProxy
+{
+	Collapse m_scene{Solver::Direct};
+	Bytes m_bytes;
+	btDbvtBroadphase& m_broadphase = broadphaseOf(m_scene.m_world);
+	btDispatcher* const m_dispatcher = m_scene.m_world.bullet().getDispatcher();
+	btBroadphaseProxy* m_foreign;
+
+	WithForeignProxy()
+	{
+		m_scene.run(3);
+		m_bytes = save(m_scene.m_world);
+		const btVector3 corner(1, 1, 1);
+		m_foreign = m_broadphase.createProxy(-corner, corner, BOX_SHAPE_PROXYTYPE, nullptr, 0, 0, m_dispatcher);
+	}
+	int sizeOfSnapshot()
+	{
+		return btElasticPlasticSave(m_scene.m_world.bullet(), m_broadphase, m_scene.m_world.action(), nullptr, 0);
+	}
+	btElasticPlasticFault restoreAgain() { return restore(m_scene.m_world, m_bytes); }
+};
+
 TEST(Snapshot, IsRefusedWhereTheBroadphaseHoldsWhatIsNoObjectOfTheWorld)
 {
-	Collapse scene(Solver::Direct);
-	scene.run(3);
-	const Bytes bytes = save(scene.m_world);
-	btDbvtBroadphase& broadphase = broadphaseOf(scene.m_world);
-	const btVector3 corner(1, 1, 1);
-	btBroadphaseProxy* const foreign = broadphase.createProxy(-corner, corner, BOX_SHAPE_PROXYTYPE, nullptr, 0, 0,
-															  scene.m_world.bullet().getDispatcher());
-	EXPECT_EQ(0, btElasticPlasticSave(scene.m_world.bullet(), broadphase, scene.m_world.action(), nullptr, 0));
-	const btElasticPlasticFault fault = restore(scene.m_world, bytes);
-	EXPECT_EQ(1, fault.m_value);
-	broadphase.destroyProxy(foreign, scene.m_world.bullet().getDispatcher());
-	EXPECT_FALSE(restore(scene.m_world, bytes));
+	WithForeignProxy world;
+	EXPECT_EQ(0, world.sizeOfSnapshot());
+	EXPECT_EQ(1, world.restoreAgain().m_value);
+	world.m_broadphase.destroyProxy(world.m_foreign, world.m_dispatcher);
+	EXPECT_FALSE(world.restoreAgain());
 }
 
 TEST(Snapshot, IsRefusedWhereAForeignProxyStandsInAnObjectsPlace)
 {
-	Collapse scene(Solver::Direct);
-	scene.run(3);
-	const Bytes bytes = save(scene.m_world);
-	btDbvtBroadphase& broadphase = broadphaseOf(scene.m_world);
-	const btVector3 corner(1, 1, 1);
-	btBroadphaseProxy* const foreign = broadphase.createProxy(-corner, corner, BOX_SHAPE_PROXYTYPE, nullptr, 0, 0,
-															  scene.m_world.bullet().getDispatcher());
+	WithForeignProxy world;
 	// Their number is right.
-	btCollisionObject& object = *scene.m_world.bullet().getCollisionObjectArray()[2];
-	broadphase.destroyProxy(object.getBroadphaseHandle(), scene.m_world.bullet().getDispatcher());
+	btCollisionObject& object = *world.m_scene.m_world.bullet().getCollisionObjectArray()[2];
+	world.m_broadphase.destroyProxy(object.getBroadphaseHandle(), world.m_dispatcher);
 	object.setBroadphaseHandle(nullptr);
-	EXPECT_EQ(0, btElasticPlasticSave(scene.m_world.bullet(), broadphase, scene.m_world.action(), nullptr, 0));
-	EXPECT_EQ(2, restore(scene.m_world, bytes).m_value);
+	EXPECT_EQ(0, world.sizeOfSnapshot());
+	EXPECT_EQ(2, world.restoreAgain().m_value);
 	// Without either there is still an object that has none; with its own all is well again, though in another order.
-	broadphase.destroyProxy(foreign, scene.m_world.bullet().getDispatcher());
-	EXPECT_EQ(1, restore(scene.m_world, bytes).m_value);
+	world.m_broadphase.destroyProxy(world.m_foreign, world.m_dispatcher);
+	EXPECT_EQ(1, world.restoreAgain().m_value);
 	btVector3 low, high;
 	object.getCollisionShape()->getAabb(object.getWorldTransform(), low, high);
-	object.setBroadphaseHandle(broadphase.createProxy(low, high, object.getCollisionShape()->getShapeType(), &object,
-													  btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter,
-													  scene.m_world.bullet().getDispatcher()));
-	EXPECT_LT(0, btElasticPlasticSave(scene.m_world.bullet(), broadphase, scene.m_world.action(), nullptr, 0));
+	object.setBroadphaseHandle(world.m_broadphase.createProxy(low, high, object.getCollisionShape()->getShapeType(),
+															  &object, btBroadphaseProxy::DefaultFilter,
+															  btBroadphaseProxy::AllFilter, world.m_dispatcher));
+	EXPECT_LT(0, world.sizeOfSnapshot());
 }
 
 TEST(Snapshot, OfAnotherVersionOrPrecisionIsRefused)

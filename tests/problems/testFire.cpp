@@ -221,7 +221,7 @@ TEST(Fire, BringsACantileverDown)
 		EXPECT_NEAR(sag / 0.66, -double(beam->getCenterOfMassPosition().y()), 0.01 * sag) << withFibres;
 		EXPECT_FALSE(joint->hasYielded());
 		heatTo(553);
-		EXPECT_LT(-double(beam->getCenterOfMassPosition().y()), 6 * sag);
+		EXPECT_LT(-double(beam->getCenterOfMassPosition().y()), 3 * sag);
 		heatTo(563);
 		calm(world, 480);
 		EXPECT_TRUE(joint->hasYielded());

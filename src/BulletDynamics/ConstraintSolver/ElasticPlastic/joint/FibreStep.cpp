@@ -535,8 +535,6 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 			turned[s] += spring.m_coupling[s] * force;
 	}
 	for (int s = 0; s < 2; ++s)
-		outcome.m_isCoupled[s] = m_shearRow[s] >= 0;
-	for (int s = 0; s < 2; ++s)
 	{
 		const CoupledBundle::Spring& spring = m_bundle.m_shear[s];
 		const bool flows = m_shearRow[s] >= 0 && spring.m_bound != 0 && spring.m_bound == shears[s]->m_bound;
@@ -573,8 +571,6 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 		const bool opens = m_model.bearsPressureOnly(i) && beyond > 0;
 		m_mapped[i] = {force, double(total), opens ? beyond : 0, opens ? 0 : beyond, 0};
 	}
-	for (int s = 0; s < 2; ++s)
-		outcome.m_isCoupled[s] = m_shearRow[s] >= 0;
 	for (int s = 0; s < 2; ++s)
 	{
 		if (m_shearRow[s] < 0)
@@ -818,7 +814,9 @@ FibreStep::Outcome FibreStep::commit(const btScalar trial[BT_EP_DOF_COUNT], cons
 									 bool isCut)
 {
 	Outcome outcome;
-	const bool isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
+	for (int s = 0; s < 2; ++s)
+		outcome.m_isCoupled[s] = m_shearRow[s] >= 0;
+	const bool isCoupled = outcome.m_isCoupled[0] || outcome.m_isCoupled[1];
 	if (isCut || isCoupled || !takeElastic(trial, outcome))
 	{
 		m_mapped.resize(m_numFibres);

@@ -371,6 +371,21 @@ void JointModel::scaleForce(int dof, btScalar factor)
 		*force *= factor;
 }
 
+/// Reduces the springs' forces, but for those of fibres, to what there is the energy for.
+/// \param most  [J]
+/// \return what is left of them
+btScalar JointModel::limitEnergy(double most)
+{
+	const double energy = springEnergy();
+	if (!(energy > most))
+		return 1;
+	const btScalar share = btScalar(sqrt(most / energy));
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		if (!m_capacity.isRigidPlastic(i))
+			scaleForce(i, share);
+	return share;
+}
+
 /// Of a spring that becomes softer the force falls with its stiffness, as that of steel in a fire does: its deformation stays, and what it bears
 /// comes down on it in the steps that follow. With the force that it had it would hold more energy than anybody has given it.
 /// \param most  energy of the springs before [J]
@@ -389,16 +404,9 @@ void JointModel::soften(const btElasticPlasticCapacity& before, double most, boo
 		m_state.m_fibres[i].m_force *=
 			btMin(m_capacity.m_fibres[i].m_stiffness / before.m_fibres[i].m_stiffness, btScalar(1));
 	// Coupling may change by itself, or one of two that are coupled.
-	const double energy = springEnergy();
-	if (energy > most)
-	{
-		const btScalar factor = btScalar(sqrt(most / energy));
-		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-			if (!m_capacity.isRigidPlastic(i))
-				scaleForce(i, factor);
-		for (int i = 0; i < m_state.m_fibres.size() && areFibres; ++i)
-			m_state.m_fibres[i].m_force *= factor;
-	}
+	const btScalar share = limitEnergy(most);
+	for (int i = 0; i < m_state.m_fibres.size() && areFibres; ++i)
+		m_state.m_fibres[i].m_force *= share;
 	if (areFibres && m_state.m_fibres.size() > 0)
 		sumFibres();
 }
@@ -606,13 +614,8 @@ void JointModel::takeFibres(const Stretch& stretch, bool areSame)
 		m_state.m_fibres.resize(0);
 		m_state.m_fibres.resize(n);
 		followFibres();
-		const double energy = springEnergy();
-		if (!(energy > stretch.m_energy))
-			return;
-		for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-			if (!m_capacity.isRigidPlastic(i))
-				scaleForce(i, btScalar(sqrt(stretch.m_energy / energy)));
-		followFibres();
+		if (limitEnergy(stretch.m_energy) < 1)
+			followFibres();
 		return;
 	}
 	for (int i = 0; i < n; ++i)

@@ -50,6 +50,26 @@ struct JointModel
 	btRigidBody& bodyA() const { return m_bodyA; }
 	btRigidBody& bodyB() const { return m_bodyB; }
 	bool isElasticPlastic(int dof) const { return (m_dofs >> dof & 1u) != 0; }
+	/// What the joint bears of a turn about one of its axes: its stiffness, or what yields within a radian [N m].
+	btScalar momentWithinARadian(int dof) const
+	{
+		if (!isElasticPlastic(dof))
+			return 0;
+		const btScalar yield = m_capacity.m_yield[dof];
+		return m_capacity.isRigidPlastic(dof) ? yield : btMin(yield, m_capacity.m_stiffness[dof]);
+	}
+	btScalar bendingWithinARadian() const
+	{
+		return btMax(momentWithinARadian(BT_EP_BENDING_Y), momentWithinARadian(BT_EP_BENDING_Z));
+	}
+
+	/// Whether the strength in bending is next to nothing beside that in tension. By the frames alone: a joint that has not been in a step has no other
+	/// arms.
+	bool isOfRope() const
+	{
+		const btScalar arm = btMin(m_frameInA.getOrigin().length(), m_frameInB.getOrigin().length());
+		return !m_isPaper && bendingWithinARadian() < btScalar(1e-3) * arm * m_capacity.m_yield[BT_EP_AXIAL];
+	}
 	bool isElasticPlasticThroughout() const { return m_dofs == (1u << BT_EP_DOF_COUNT) - 1; }
 
 	/// The joint's frame on each body, world coordinates.
@@ -238,6 +258,7 @@ private:
 	bool hasFibresAt(const btElasticPlasticCapacity& before) const;
 	void soften(const btElasticPlasticCapacity& before, double most, bool areSame);
 	void scaleForce(int dof, btScalar factor);
+	btScalar limitEnergy(double most);
 	void sumFibres();
 	void followStiffness(const btElasticPlasticCapacity& before, const Stretch& stretch);
 	void takeFibres(const Stretch& stretch, bool areSame);

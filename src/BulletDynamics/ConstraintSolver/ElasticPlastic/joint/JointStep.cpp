@@ -355,25 +355,6 @@ const btScalar* JointStep::lastForce() const
 	return m_model.m_isByMode ? m_model.m_state.m_applied : m_model.m_state.m_force;
 }
 
-/// The greatest moment by which the joint resists bending within a radian [N m].
-btScalar JointStep::bendingWithinARadian() const
-{
-	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
-	btScalar most = 0;
-	for (int dof = BT_EP_BENDING_Y; dof <= BT_EP_BENDING_Z; ++dof)
-		if (m_model.isElasticPlastic(dof))
-			btSetMax(most, capacity.isRigidPlastic(dof) ? capacity.m_yield[dof]
-														: btMin(capacity.m_yield[dof], capacity.m_stiffness[dof]));
-	return most;
-}
-
-bool JointStep::isOfRope() const
-{
-	const btScalar arm = (m_kinematics.m_rA - m_kinematics.m_rB).length();
-	return !m_model.m_isPaper &&
-		   bendingWithinARadian() < btScalar(1e-3) * arm * m_model.m_capacity.m_yield[BT_EP_AXIAL];
-}
-
 bool JointStep::foreseeTension()
 {
 	if (m_numRows == 0 || m_model.m_isPaper)
@@ -391,7 +372,7 @@ bool JointStep::foreseeTension()
 	if (!(now > 4 * before))
 		return false;
 	const btScalar damping = TensionDamping::of(m_model, m_kinematics, force, m_dt).getSum();
-	const bool isRope = bendingWithinARadian() * m_dt * m_dt < damping * btScalar(0.05);
+	const bool isRope = m_model.bendingWithinARadian() * m_dt * m_dt < damping * btScalar(0.05);
 	if (!(damping > 2 * m_tensionDamping) || !(isRope || m_model.m_state.m_lastStep == 0))
 		return false;
 	for (int i = 0; i < 3; ++i)

@@ -157,9 +157,6 @@ public:
 	/// the step before: in a joint's first step, and of a joint that is as good as a rope's, with next to no strength in bending. Then the step is to be
 	/// solved once more, and knows it.
 	bool foreseeTension();
-
-	/// Whether the joint's strength in bending is next to nothing beside that in tension.
-	bool isOfRope() const;
 	void forgetTension() { m_isTensionKnown = false; }
 
 	/// Forgets the step: the state stays as it was committed last.
@@ -212,7 +209,6 @@ private:
 
 	void withholdDrift();
 	const btScalar* lastForce() const;
-	btScalar bendingWithinARadian() const;
 	bool carriesWaves(int r, btScalar diagonal) const;
 	bool areAlike() const;
 	void makeRows(btScalar erp, JointRows& rows);

@@ -40,11 +40,8 @@ btScalar stiffnessAbout(const JointModel& model, const Kinematics& k, const btVe
 	btScalar sum = 0;
 	for (int dof = BT_EP_TORSION; dof < BT_EP_DOF_COUNT; ++dof)
 	{
-		const btElasticPlasticCapacity& capacity = model.m_capacity;
-		if (!model.isElasticPlastic(dof))
-			continue;
-		const btScalar share = axis.dot(k.m_axis[dof - 3]), yield = capacity.m_yield[dof];
-		sum += share * share * (capacity.isRigidPlastic(dof) ? yield : btMin(yield, capacity.m_stiffness[dof]));
+		const btScalar share = axis.dot(k.m_axis[dof - 3]);
+		sum += share * share * model.momentWithinARadian(dof);
 	}
 	return sum;
 }

@@ -179,7 +179,7 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 bool hasRope(const SolverGroup& island)
 {
 	for (int i = 0; i < island.m_numConstraints; ++i)
-		if (island.m_joints[i] && island.m_joints[i]->m_step.isOfRope())
+		if (island.m_joints[i] && island.m_joints[i]->m_model.isOfRope())
 			return true;
 	return false;
 }
@@ -221,21 +221,15 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 		InnerRhythm(), 0,    0,        0};
 	const bool mayTake = info.m_timeStep > 0 && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
 	JointRegistry* const registry = mayTake ? beginJoints(island) : nullptr;
-	if (!registry)
+	// A step control chooses the steps' length itself. Ropes alone are told when that changes.
+	const bool isControlled = registry && registry->isStepControlled();
+	if (!registry || (isControlled && !hasRope(island)))
 	{
 		solution.solveStep(info, 1, settings.m_maxWork);
 		return;
 	}
-	if (registry->isStepControlled())
-	{
-		// It chooses the steps' length itself. Ropes alone are told when that changes.
-		if (!hasRope(island))
-		{
-			solution.solveStep(info, 1, settings.m_maxWork);
-			return;
-		}
+	if (isControlled)
 		task.m_maxLevel = 0;
-	}
 	m_motions.clear();
 	take(task, *registry);
 	if (m_motions.size() > 0)
