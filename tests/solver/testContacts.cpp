@@ -654,4 +654,45 @@ TEST(Contacts, APebbleUnderABeamIsNoJack)
 		EXPECT_LE(gain, 0.05) << overlap;
 	}
 }
+
+// ---- what is looked at before bodies touch
+
+/// Makes Bullet's algorithms for a cylinder and a box, and counts how many.
+struct CountedAlgorithms : btCollisionAlgorithmCreateFunc
+{
+	btCollisionAlgorithmCreateFunc& m_own;
+	int m_count = 0;
+
+	explicit CountedAlgorithms(btCollisionAlgorithmCreateFunc& own) : m_own(own) {}
+	btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+												   const btCollisionObjectWrapper* a,
+												   const btCollisionObjectWrapper* b) override
+	{
+		++m_count;
+		return m_own.CreateCollisionAlgorithm(info, a, b);
+	}
+};
+
+TEST(Contacts, AWheelThatRollsOnABridgeIsNotLookedAtTwice)
+{
+	World world(Solver::Direct);
+	btDefaultCollisionConfiguration configuration;
+	CountedAlgorithms algorithms(
+		*configuration.getCollisionAlgorithmCreateFunc(CYLINDER_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE));
+	static_cast<btCollisionDispatcher*>(world.bullet().getDispatcher())
+		->registerCollisionCreateFunc(CYLINDER_SHAPE_PROXYTYPE, BOX_SHAPE_PROXYTYPE, &algorithms);
+	btRigidBody* const deck = world.body(1e4, world.box(btVector3(40, 1, 4)), at(0, -0.5));
+	world.joint(*world.body(0, world.box(btVector3(1, 1, 1)), at(0, -1.5), false), *deck, at(0, -1), evenCapacity(1e9));
+	const double radius = 0.4, speed = 3;
+	btRigidBody* const wheel =
+		world.body(100, world.keep(new btCylinderShapeZ(btVector3(btScalar(radius), btScalar(radius), btScalar(0.2)))),
+				   at(-5, radius));
+	wheel->setFriction(1);
+	wheel->setLinearVelocity(btVector3(btScalar(speed), 0, 0));
+	wheel->setAngularVelocity(btVector3(0, 0, btScalar(-speed / radius)));
+	run(world, 120);
+	EXPECT_NEAR(speed, double(wheel->getLinearVelocity().x()), 0.02 * speed);
+	// One for the pair itself, and a few before the wheel has two points. It was one for each step, as dear as Bullet's own.
+	EXPECT_LE(algorithms.m_count, 6);
+}
 }  // namespace testContacts

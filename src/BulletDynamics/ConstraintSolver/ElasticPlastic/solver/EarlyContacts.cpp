@@ -9,7 +9,9 @@
 #include "BulletCollision/BroadphaseCollision/btDispatcher.h"
 #include "BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h"
 #include "BulletCollision/CollisionDispatch/btManifoldResult.h"
-#include "BulletCollision/CollisionShapes/btConvexShape.h"
+#include "BulletCollision/CollisionShapes/btCapsuleShape.h"
+#include "BulletCollision/CollisionShapes/btConeShape.h"
+#include "BulletCollision/CollisionShapes/btCylinderShape.h"
 #include "BulletCollision/NarrowPhaseCollision/btContinuousConvexCollision.h"
 #include "BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
@@ -33,6 +35,22 @@ const btScalar SAME_FACE = btScalar(0.9);
 /// that what is static has -2, and -1 is what has none.
 const int JOINED = -3;
 
+/// The body's own axis about which a shape is round; -1: none.
+int getAxisOfSymmetry(const btCollisionShape& shape)
+{
+	switch (shape.getShapeType())
+	{
+		case CYLINDER_SHAPE_PROXYTYPE:
+			return static_cast<const btCylinderShape&>(shape).getUpAxis();
+		case CAPSULE_SHAPE_PROXYTYPE:
+			return static_cast<const btCapsuleShape&>(shape).getUpAxis();
+		case CONE_SHAPE_PROXYTYPE:
+			return static_cast<const btConeShape&>(shape).getConeUpIndex();
+		default:
+			return -1;
+	}
+}
+
 /// Of one of the two bodies, in the coming step.
 struct Way
 {
@@ -52,13 +70,24 @@ struct Way
 			m_velocity += body->getTotalForce() * (body->getInvMass() * dt);
 	}
 
-	/// Not further than this does a point of the body go by its turn [m].
+	/// Not further than this does the body's surface go by its turn [m]. What is round and turns about its own axis stays where it is:
+	/// a wheel that rolls.
 	btScalar getTurnLength() const
 	{
+		const btCollisionShape& shape = *m_object.getCollisionShape();
+		btVector3 turn = m_spin * m_dt;
+		if (shape.getShapeType() == SPHERE_SHAPE_PROXYTYPE)
+			return 0;
+		const int axis = getAxisOfSymmetry(shape);
+		if (axis >= 0)
+		{
+			const btVector3 along = m_object.getWorldTransform().getBasis().getColumn(axis);
+			turn -= along * along.dot(turn);
+		}
 		btVector3 center;
 		btScalar radius;
-		m_object.getCollisionShape()->getBoundingSphere(center, radius);
-		return (radius + center.length()) * m_spin.length() * m_dt;
+		shape.getBoundingSphere(center, radius);
+		return (radius + center.length()) * turn.length();
 	}
 
 	/// Looks up where the body is and where it goes.
@@ -166,9 +195,11 @@ bool isCandidate(const btPersistentManifold& manifold, bool takesBounces)
 
 /// Where a pair touches at an edge or a corner, the rest of the face may follow as it turns: adds the points of the same face that are no further apart than the
 /// bodies go.
-void addRestOfFace(const Way ways[2], btScalar length, btPersistentManifold& manifold, btDispatcher& dispatcher)
+void addRestOfFace(const Way ways[2], btPersistentManifold& manifold, btDispatcher& dispatcher)
 {
 	const btVector3 normal = manifold.getContactPoint(0).m_normalWorldOnB;
+	const btScalar length = btFabs(normal.dot(ways[1].m_velocity - ways[0].m_velocity)) * ways[0].m_dt +
+							ways[0].getTurnLength() + ways[1].getTurnLength();
 	const auto isOfFace = [&](const btManifoldPoint& point) { return point.m_normalWorldOnB.dot(normal) > SAME_FACE; };
 	for (btScalar reach = length; reach > LEAST_WAY; reach /= 4)
 	{
@@ -209,7 +240,7 @@ void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& disp
 		way.findEnds();
 	if (manifold.getNumContacts() > 0)
 	{
-		addRestOfFace(ways, length, manifold, dispatcher);
+		addRestOfFace(ways, manifold, dispatcher);
 		return;
 	}
 	if (staysBeside(ways[0], ways[1]) || staysBeside(ways[1], ways[0]))
