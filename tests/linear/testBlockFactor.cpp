@@ -250,6 +250,7 @@ TEST(BlockFactor, RefusesWhatIsSingularButForRounding)
 	{
 		Matrix matrix;
 		matrix.setPattern(graph.m_numBodies, graph.edges(), int(graph.m_edges.size()));
+		matrix.setZero();
 		for (int e = 0; e < int(graph.m_edges.size()); ++e)
 			for (int c = 0; c < 6; ++c)
 			{
@@ -326,6 +327,7 @@ TEST(BlockFactor, OrderAndDirectionOfEdgesDoNotMatter)
 	}
 	Matrix other;
 	other.setPattern(shuffled.m_numBodies, shuffled.edges(), int(shuffled.m_edges.size()));
+	other.setZero();
 	for (int i = 0; i < graph.m_numBodies; ++i)
 		memcpy(other.diagonal(i), matrix.diagonal(i), 36 * sizeof(double));
 	for (size_t i = 0; i < from.size(); ++i)

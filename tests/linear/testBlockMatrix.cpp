@@ -31,6 +31,7 @@ TEST(BlockMatrix, RepeatedEdgesShareABlock)
 	const int edges[][2] = {{2, 0}, {0, 1}, {0, 2}, {1, 0}, {2, 0}};
 	Matrix matrix;
 	matrix.setPattern(3, edges, 5);
+	matrix.setZero();
 	EXPECT_EQ(matrix.getNumPairs(), 2);
 	bool transposed[5];
 	double* block[5];

@@ -272,7 +272,7 @@ void BlockFactor::analyse(const BlockMatrix& matrix, int numLast)
 	selectKernel();
 
 	const int padding = BlockStructure::Padding;
-	m_values.assign(values + padding, 0);
+	m_numValues = values + padding;
 	m_inverse.assign(6 * size_t(n), 0);
 	m_work.assign(6 * size_t(n) + longest + padding, 0);
 	m_isChanged.assign(numPanels, 0);
@@ -393,6 +393,8 @@ BlockStructure BlockFactor::structure() const
 bool BlockFactor::factorise(const BlockMatrix& matrix)
 {
 	btAssert(matrix.getNumBodies() == getNumBodies());
+	if (!hasValues())
+		m_values.resize(m_numValues);
 	m_hasFactor = getNumBodies() == 0 ||
 				  m_kernel->m_factorise(structure(), matrix.getValues(), nullptr, 0, m_values.data(), m_inverse.data());
 	m_numFactorisedOperations = m_numOperations;

@@ -60,6 +60,15 @@ public:
 
 	bool hasFactor() const { return m_hasFactor; }
 
+	/// Exchanges the memory of the factor, which is lost, for another one of any content.
+	void swapValues(std::vector<double>& values)
+	{
+		m_values.swap(values);
+		m_hasFactor = false;
+	}
+	size_t getNumValues() const { return m_numValues; }
+	bool hasValues() const { return m_values.size() >= m_numValues; }
+
 	/// x = H^-1 x, 6 doubles per body. Leaves x as it is if there is no factor.
 	void solve(double* x) const;
 
@@ -90,6 +99,7 @@ private:
 	int64_t m_numBlocks = 0;
 	int64_t m_numOperations = 0;
 	int64_t m_numFactorisedOperations = 0;
+	size_t m_numValues = 0;
 
 	std::vector<int> m_bodies;          // by order of elimination
 	std::vector<int> m_panelOf;         // per body

@@ -48,10 +48,14 @@ void BlockMatrix::setPattern(int numBodies, const int (*edges)[2], int numEdges)
 		m_edgePair[e] = getNumPairs() - 1;
 		m_edgeTransposed[e] = edges[e][0] == lower;
 	}
-	m_values.assign(36 * (size_t(numBodies) + m_lower.size()), 0);
 }
 
-void BlockMatrix::setZero() { std::fill(m_values.begin(), m_values.end(), 0.0); }
+void BlockMatrix::setZero()
+{
+	if (!hasValues())
+		m_values.resize(getNumValues());
+	std::fill_n(m_values.begin(), getNumValues(), 0.0);
+}
 
 void BlockMatrix::multiply(const double* x, double* y) const
 {

@@ -19,11 +19,17 @@ namespace btElasticPlastic
 class BlockMatrix
 {
 public:
-	/// Sets the graph, and every block to zero. The order of edges, their directions and repetitions make no difference
+	/// Sets the graph. Every block is zero after the next setZero(). The order of edges, their directions and repetitions make no difference
 	/// to the matrix: edges between the same two bodies share a block. An edge's bodies must differ.
 	void setPattern(int numBodies, const int (*edges)[2], int numEdges);
 
 	void setZero();
+
+	/// Exchanges the memory of its blocks for another one, which must have getNumValues() numbers at least before blocks are used; they mean
+	/// nothing until setZero().
+	void swapValues(std::vector<double>& values) { m_values.swap(values); }
+	size_t getNumValues() const { return 36 * size_t(getNumBlocks()); }
+	bool hasValues() const { return m_values.size() >= getNumValues(); }
 
 	/// The body's block, 36 doubles: full and symmetric.
 	double* diagonal(int body) { return &m_values[36 * size_t(body)]; }

@@ -45,7 +45,7 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 {
 	const ScopedTimer timer("elastic-plastic analyse", m_statistics.m_analysisTime);
 	const size_t hash = hashOf(numBodies, edges);
-	m_plan = nullptr;
+	leavePlan();
 	const auto range = m_plans.equal_range(hash);
 	for (auto i = range.first; i != range.second; ++i)
 	{
@@ -56,6 +56,7 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 	}
 	if (!m_plan)
 	{
+		leaveGraphOf(abs(islandId));
 		m_plan = &newPlan(hash);
 		m_plan->m_numBodies = numBodies;
 		m_plan->m_numLast = numLast;
@@ -70,8 +71,56 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 	const bool isFresh = islandId < 0 || m_plan->m_lastUse + 1 < m_step;
 	m_factorState = !isFresh && isWorthKeeping(m_plan->m_factor, numSolutions) ? OLD : NONE;
 	if (isFresh)
-		m_plan->m_patience = 0;
+		m_plan->m_patience = m_plan->m_numUses = 0;
+	++m_plan->m_numUses;
 	m_plan->m_lastUse = m_step;
+}
+
+/// Where bodies touch and part, a graph is used once, and its factor is of no use to the next one. Whoever comes next uses its memory.
+void LinearSolver::leavePlan()
+{
+	if (m_plan && (m_plan->m_islandId == 0 || m_plan->m_numUses < 2))
+		giveBuffersBack(*m_plan);
+	m_plan = nullptr;
+}
+
+/// The island has another graph now. If its last one returns, it is not in the next step.
+void LinearSolver::leaveGraphOf(int islandId)
+{
+	for (auto i = m_plans.begin(); islandId != 0 && i != m_plans.end(); ++i)
+		if (i->second->m_islandId == islandId)
+		{
+			giveBuffersBack(*i->second);
+			i->second->m_numUses = 0;
+		}
+}
+
+void LinearSolver::lendBuffers()
+{
+	if (m_plan)
+		giveBuffersBack(*m_plan);
+	m_factorState = NONE;
+}
+
+void LinearSolver::giveBuffersBack(Plan& plan)
+{
+	std::vector<double> values;
+	plan.m_matrix.swapValues(values);
+	m_buffers.give(values);
+	plan.m_factor.swapValues(values);
+	m_buffers.give(values);
+}
+
+void LinearSolver::setMatrixZero()
+{
+	BlockMatrix& matrix = m_plan->m_matrix;
+	if (!matrix.hasValues())
+	{
+		std::vector<double> values;
+		m_buffers.take(matrix.getNumValues(), values);
+		matrix.swapValues(values);
+	}
+	matrix.setZero();
 }
 
 void LinearSolver::setSettings(const btElasticPlasticSolverSettings& settings)
@@ -89,7 +138,13 @@ LinearSolver::Plan& LinearSolver::newPlan(size_t hash)
 {
 	const long long oldest = m_step - (m_isOneOfMany ? KEPT_STEPS_OF_MANY : KEPT_STEPS);
 	for (auto i = m_plans.begin(); i != m_plans.end();)
-		i = i->second->m_lastUse < oldest ? m_plans.erase(i) : std::next(i);
+		if (i->second->m_lastUse < oldest)
+		{
+			giveBuffersBack(*i->second);
+			i = m_plans.erase(i);
+		}
+		else
+			++i;
 	if (m_step == 0 && m_plans.size() >= KEPT_PLANS)
 		m_plans.clear();
 	Plan& plan = *m_plans.emplace(hash, std::unique_ptr<Plan>(new Plan))->second;
@@ -112,6 +167,12 @@ bool LinearSolver::factorise()
 	const ScopedTimer timer("elastic-plastic factorise", m_statistics.m_factorisationTime);
 	++m_statistics.m_factorisations;
 	BlockFactor& factor = m_plan->m_factor;
+	if (!factor.hasValues())
+	{
+		std::vector<double> values;
+		m_buffers.take(factor.getNumValues(), values);
+		factor.swapValues(values);
+	}
 	bool done;
 	if (m_factorState == NEARLY && 8 * m_changed.size() < size_t(m_plan->m_numBodies))
 	{

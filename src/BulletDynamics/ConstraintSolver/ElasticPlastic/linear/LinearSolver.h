@@ -10,6 +10,7 @@
 
 #include "BlockFactor.h"
 #include "BlockMatrix.h"
+#include "BufferPool.h"
 #include "../../btElasticPlasticSolverSettings.h"
 #include "../../btElasticPlasticStatistics.h"
 
@@ -18,13 +19,21 @@ namespace btElasticPlastic
 /// Solves H x = b for one matrix after another, on graphs that return step after step.
 ///
 /// The plan of a graph's factorisation is kept as long as the graph is used. Where a factor costs much more than a solution
-/// with it, the island's last factor is kept too: as long as H has changed little, a few iterations of conjugate gradients
+/// with it, the island's last factor is kept too, from the second time on that its graph is used: as long as H has changed little, a few iterations of conjugate gradients
 /// that the old factor preconditions are as exact as a new factor, and cheaper. Where H changes in a few bodies within a
 /// problem, only what depends on them is factorised again.
 class LinearSolver
 {
 public:
-	explicit LinearSolver(btElasticPlasticStatistics& statistics) : m_statistics(statistics) {}
+	/// \param buffers  shared with others, null: its own
+	explicit LinearSolver(btElasticPlasticStatistics& statistics, BufferPool* buffers = nullptr)
+		: m_statistics(statistics), m_buffers(buffers ? *buffers : m_ownBuffers)
+	{
+	}
+	LinearSolver(const LinearSolver&) = delete;
+	LinearSolver& operator=(const LinearSolver&) = delete;
+
+	BufferPool& getBuffers() { return m_buffers; }
 
 	/// Ages the plans: those that no step has used for a while make room for new ones.
 	/// \param isOneOfMany  any of several linear solvers gets an island in the next step: none keeps factors, so that all give the
@@ -35,7 +44,7 @@ public:
 		m_isOneOfMany = isOneOfMany;
 	}
 
-	/// Begins a problem, with a matrix of zeros on its graph.
+	/// Begins a problem on a graph.
 	/// \param edges   two bodies each; repetitions and directions make no difference to the matrix
 	/// \param islandId  by which the island's kept factor is found, see getIslandId(); 0: it has none; less: it has, but is not to use it
 	/// \param numSolutions  about how many there will be, > 0: with many a new factor is cheaper than iterations with an old one
@@ -55,6 +64,8 @@ public:
 	/// Of a factorisation of the present problem: multiplications and additions.
 	int64_t getNumOperations() const { return m_plan->m_factor.getNumOperations(); }
 
+	/// To be called before the first assembly of a problem, and after lendBuffers().
+	void setMatrixZero();
 	BlockMatrix& getMatrix() { return m_plan->m_matrix; }
 
 	/// To be called after each assembly.
@@ -63,6 +74,9 @@ public:
 
 	/// To be called instead if H has nothing to do with the last one: no factor of it is used any more.
 	void forgetFactor() { m_factorState = NONE; }
+
+	/// Lets others use the memory of matrix and factor, which are lost, until the next assembly.
+	void lendBuffers();
 
 	/// x = H^-1 x, 6 doubles per body. \return false, and x means nothing, if H is not positive definite
 	bool solve(std::vector<double>& x);
@@ -87,6 +101,7 @@ private:
 		BlockMatrix m_matrix;
 		BlockFactor m_factor;
 		int m_islandId = 0;
+		int m_numUses = 0;   // without a step between
 		int m_patience = 0;  // number of solutions for which iterating with an old factor is not tried again
 		long long m_lastUse = 0;
 	};
@@ -100,7 +115,10 @@ private:
 		CURRENT
 	};
 
+	void leavePlan();
+	void leaveGraphOf(int islandId);
 	Plan& newPlan(size_t hash);
+	void giveBuffersBack(Plan& plan);
 	bool factorise();
 	void countSolution();
 	bool iterate(std::vector<double>& x);
@@ -108,6 +126,8 @@ private:
 	btElasticPlasticSolverSettings m_settings;
 	btElasticPlasticStatistics& m_statistics;
 	std::unordered_multimap<size_t, std::unique_ptr<Plan>> m_plans;  // by their graphs' hash
+	BufferPool m_ownBuffers;
+	BufferPool& m_buffers;
 	Plan* m_plan = nullptr;
 	long long m_step = 0;
 	bool m_isOneOfMany = false;

@@ -21,7 +21,9 @@ namespace btElasticPlastic
 class Condensation
 {
 public:
-	explicit Condensation(btElasticPlasticStatistics& statistics) : m_linearSolver(statistics), m_matrix(m_linearSolver)
+	/// \param buffers  see LinearSolver
+	explicit Condensation(btElasticPlasticStatistics& statistics, BufferPool* buffers = nullptr)
+		: m_linearSolver(statistics, buffers), m_matrix(m_linearSolver)
 	{
 	}
 
@@ -29,7 +31,11 @@ public:
 	void beginStep(bool isOneOfMany) { m_linearSolver.beginStep(isOneOfMany); }
 
 	/// Forgets what is inside.
-	void clear() { m_inside.clear(); }
+	void clear()
+	{
+		m_inside.clear();
+		m_matrix.lendBuffers();
+	}
 	bool isEmpty() const { return m_inside.empty(); }
 
 	/// Chooses what is inside: some bodies, and those that rows lead to from there.

@@ -144,11 +144,12 @@ bool isFree(const btSolverBody& body)
 }
 }  // namespace
 
-void DirectForm::begin(bool sweepsContacts, double share)
+void DirectForm::begin(bool sweepsContacts, double share, int numJoints)
 {
 	m_sweepsContacts = sweepsContacts;
 	m_share = share;
 	m_input.clear();
+	m_input.reserve(size_t(numJoints));
 	m_joints.resize(0);
 	m_index.resize(0);
 	m_poolRows.resize(0);
@@ -634,21 +635,22 @@ void DirectForm::recover(bool isSolved, const SolverPools& pools, const btContac
 void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo& info,
 							 const SweptRows::RowSolvers& rowSolvers)
 {
-	const std::vector<SystemInput::Bounded> rows = m_input.m_rows;
+	m_asked.reserve(m_input.m_rows.capacity());
+	m_asked = m_input.m_rows;
 	const int sweeps = btMax(info.m_numIterations, 1),
 			  between = m_solverBodies.size() > System::FEW_BODIES ? SWEEPS_A_SOLUTION : SWEEPS_WITH_FEW;
 	bool isSolved = true;
 	const auto takeTargets = [&]
 	{
 		takeOthers(pools);
-		takeFromTargets(m_input, m_byOthers, m_isChanged, rows);
+		takeFromTargets(m_input, m_byOthers, m_isChanged, m_asked);
 	};
 	for (int done = 0;;)
 	{
 		const bool isFirst = done == 0, isLast = done >= sweeps;
 		const double made = isFirst ? m_swept.findMade(pools) : 0;
 		takeTargets();
-		if (isLast)
+		if (isLast && m_recovery.isAsked())
 			m_recovery.keep(m_input);
 		const System::Effort effort = isLast ? System::EXACT : System::ROUGH;
 		isSolved = isFirst ? m_system.solve(m_input, m_joints[0].m_works->m_islandId, effort, 2 + sweeps / between)
@@ -677,7 +679,8 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 		else
 			m_swept.takeBack(pools);
 		takeTargets();
-		m_recovery.keep(m_input);
+		if (m_recovery.isAsked())
+			m_recovery.keep(m_input);
 		isSolved = m_system.solveAgain(m_input, System::EXACT);
 		writeVelocities(pools);
 	}

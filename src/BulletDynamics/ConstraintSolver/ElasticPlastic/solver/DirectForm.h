@@ -31,7 +31,8 @@ public:
 	/// Begins an island.
 	/// \param sweepsContacts  whether contacts are swept around the joints
 	/// \param share           of the world's step that is to be solved; Bullet bounds some impulses by the step
-	void begin(bool sweepsContacts, double share);
+	/// \param numJoints       about how many there will be
+	void begin(bool sweepsContacts, double share, int numJoints);
 
 	/// \param solverBodies  of the joint's bodies, indices of the pool
 	void addJoint(JointWorks& joint, const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
@@ -115,13 +116,14 @@ private:
 	bool m_sweepsContacts = false;
 	SweptRows m_swept;
 	Structures m_structures;
-	btAlignedObjectArray<int> m_numSupports;   ///< contacts that hold a structure, by its body
-	btAlignedObjectArray<bool> m_isLoose;      ///< by body in the system: nothing holds it but contacts
-	btAlignedObjectArray<bool> m_isLoaded;     ///< by body in the system: something loose and heavy lies on it
-	btAlignedObjectArray<int> m_solverBodies;  ///< of each body in the system
-	std::vector<double> m_byOthers;            ///< by body, 6 doubles: change of velocity that swept rows have given
-	std::vector<char> m_isChanged;             ///< by body: they have given since the last solution
-	std::vector<double> m_written;             ///< change of velocity as the bodies had it after the last solution
+	btAlignedObjectArray<int> m_numSupports;    ///< contacts that hold a structure, by its body
+	btAlignedObjectArray<bool> m_isLoose;       ///< by body in the system: nothing holds it but contacts
+	btAlignedObjectArray<bool> m_isLoaded;      ///< by body in the system: something loose and heavy lies on it
+	btAlignedObjectArray<int> m_solverBodies;   ///< of each body in the system
+	std::vector<SystemInput::Bounded> m_asked;  ///< the system's rows before swept rows have given anything
+	std::vector<double> m_byOthers;             ///< by body, 6 doubles: change of velocity that swept rows have given
+	std::vector<char> m_isChanged;              ///< by body: they have given since the last solution
+	std::vector<double> m_written;              ///< change of velocity as the bodies had it after the last solution
 };
 }  // namespace btElasticPlastic
 

@@ -115,7 +115,7 @@ bool IslandSolver::sweepsContacts(const SolverGroup& island) const
 
 void IslandSolver::convertJoints(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
 {
-	m_direct.begin(m_sweepsContacts, double(m_share));
+	m_direct.begin(m_sweepsContacts, double(m_share), m_settings.m_form == BT_EP_DIRECT ? numConstraints : 0);
 	m_iterative.begin();
 	if (m_settings.m_form == BT_EP_DIRECT)
 		convertForDirect(constraints, numConstraints, info);

@@ -87,6 +87,7 @@ void IslandState::saveJoints(const SolverGroup& island)
 {
 	if (m_joints.size() > 0)
 		return;
+	m_joints.reserve(island.m_numConstraints);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
 			m_joints.push_back({island.m_joints[i], island.m_joints[i]->m_model.m_state});
@@ -96,6 +97,7 @@ void IslandState::saveJoints(const SolverGroup& island)
 void IslandState::addBodies(const SolverGroup& island)
 {
 	m_bodies.resizeNoInitialize(0);
+	m_bodies.reserve(island.m_numBodies);
 	for (int i = 0; i < island.m_numBodies; ++i)
 	{
 		btRigidBody* const body = btRigidBody::upcast(island.m_bodies[i]);

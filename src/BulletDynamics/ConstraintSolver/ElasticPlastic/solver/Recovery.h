@@ -48,7 +48,11 @@ public:
 	bool isAsked() const { return m_isAsked; }
 
 	/// Keeps the rows as they are before the first solution.
-	void keep(const SystemInput& input) { m_rows = input.m_rows; }
+	void keep(const SystemInput& input)
+	{
+		m_rows.reserve(input.m_rows.capacity());
+		m_rows = input.m_rows;
+	}
 
 	/// After the first solution: finds the motion of places.
 	/// \param solverBodies  of the system's bodies

@@ -71,12 +71,15 @@ struct System::Place
 	Condensation m_condensation;
 	System m_inside;
 
-	explicit Place(btElasticPlasticStatistics& statistics) : m_condensation(statistics), m_inside(statistics) {}
+	Place(btElasticPlasticStatistics& statistics, BufferPool* buffers)
+		: m_condensation(statistics, buffers), m_inside(statistics, buffers)
+	{
+	}
 };
 
-System::System(btElasticPlasticStatistics& statistics)
+System::System(btElasticPlasticStatistics& statistics, BufferPool* buffers)
 	: m_statistics(statistics),
-	  m_linearSolver(statistics),
+	  m_linearSolver(statistics, buffers),
 	  m_matrix(m_linearSolver),
 	  m_interior(statistics),
 	  m_workingSet(statistics)
@@ -522,7 +525,7 @@ void System::findPlaces(const SystemInput& input, std::vector<int>& bodies) cons
 System::Found System::searchInside(SystemInput& input, Effort effort)
 {
 	if (!m_place)
-		m_place.reset(new Place(m_statistics));
+		m_place.reset(new Place(m_statistics, &m_linearSolver.getBuffers()));
 	Condensation& condensation = m_place->m_condensation;
 	System& inside = m_place->m_inside;
 	std::vector<int> bodies;
@@ -530,7 +533,9 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 	SystemResult held = m_before;
 	m_admissible.setResult(held.m_impulses, held.m_bounds);
 	input.m_rows = m_rowsBefore;
-	m_matrix.forget();
+	// What is eliminated outside is as large.
+	m_matrixIsCurrent = false;
+	m_matrix.lendBuffers();
 	const bool isAgain = !condensation.isEmpty();
 	if (isAgain)
 	{

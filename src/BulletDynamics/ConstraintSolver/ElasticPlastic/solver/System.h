@@ -53,7 +53,8 @@ public:
 		FEW_BODIES = 30  ///< with so many a step of the search costs little, and the exactness of contacts counts more
 	};
 
-	explicit System(btElasticPlasticStatistics& statistics);
+	/// \param buffers  see LinearSolver
+	explicit System(btElasticPlasticStatistics& statistics, BufferPool* buffers = nullptr);
 	~System();
 
 	/// How exactly a problem is solved.

@@ -110,6 +110,13 @@ struct SystemInput
 		std::vector<int> m_bodies;
 		std::vector<double> m_matrix;    ///< symmetric and full, 6 by body, beside the bodies' own mass
 		std::vector<double> m_momentum;  ///< 6 by body
+
+		void clear()
+		{
+			m_bodies.clear();
+			m_matrix.clear();
+			m_momentum.clear();
+		}
 	};
 
 	std::vector<Body> m_bodies;
@@ -122,6 +129,9 @@ struct SystemInput
 	Condensed m_condensed;
 
 	void clear();
+
+	/// Makes room for so many units of six rows, and for contacts: memory that grows is touched again and again.
+	void reserve(size_t numUnits);
 
 	// The references are valid until the next one is added.
 	Body& addBody();
@@ -158,7 +168,16 @@ inline void SystemInput::clear()
 	m_bundles.clear();
 	m_rows.clear();
 	m_guess.clear();
-	m_condensed = Condensed();
+	m_condensed.clear();
+}
+
+inline void SystemInput::reserve(size_t numUnits)
+{
+	if (m_units.capacity() >= numUnits)
+		return;
+	m_units.reserve(numUnits);
+	m_rows.reserve(8 * numUnits);
+	m_guess.reserve(8 * numUnits);
 }
 
 inline SystemInput::Body& SystemInput::addBody()

@@ -104,8 +104,7 @@ void SystemMatrix::setZeroInPart(const int body[2], int edge)
 
 void SystemMatrix::addMasses(const SystemInput& input)
 {
-	BlockMatrix& matrix = m_solver.getMatrix();
-	matrix.setZero();
+	m_solver.setMatrixZero();
 	for (int b = 0; b < input.getNumBodies(); ++b)
 		addMass(input, b);
 }

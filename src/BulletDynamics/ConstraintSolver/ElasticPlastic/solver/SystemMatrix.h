@@ -28,6 +28,13 @@ public:
 	/// To be called if more has changed than the rows' bounds.
 	void forget() { m_isAssembled = false; }
 
+	/// To be called if others may use the memory until the next assembly, which is a new one.
+	void lendBuffers()
+	{
+		forget();
+		m_solver.lendBuffers();
+	}
+
 	/// Computes H for tangents that have nothing to do with the last ones.
 	/// \param tangents  with addTangent(), getTangent(), getTangentWithPartner() and getBundleInverse() of AdmissibleBox
 	template <class Tangents>
