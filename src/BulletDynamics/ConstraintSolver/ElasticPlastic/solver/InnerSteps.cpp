@@ -29,9 +29,11 @@ const int MOST_SPARE = 15;
 const double CALM_INNER_SHARE = 1. / 8;
 /// Below this share of the error a step leaves next to nothing open, and the next one may have fewer inner steps at once.
 const double NO_INNER_SHARE = 1. / 1000;
-/// The least work of a solution by joint, in the unit of btElasticPlasticStatistics::m_work: what no island of so many joints can do
-/// twice is not tried.
-const long long LEAST_WORK_A_JOINT = 500;
+/// 1 << this many inner steps are the fewest that are tried: two halve an error, and double what the step takes.
+const int LEAST_LEVEL = 2;
+/// The least work of an inner step by joint, in the unit of btElasticPlasticStatistics::m_work: what no island of so many joints can do
+/// so often is not tried.
+const long long LEAST_WORK_A_JOINT = 750;
 /// The same by contact point: it is set up and swept in each inner step, which no statistics count.
 const long long LEAST_WORK_A_POINT = 250;
 
@@ -176,6 +178,9 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 	return open;
 }
 
+/// Whether an island may be solved again: others wait for it.
+bool mayGoBack(const btElasticPlasticSolverSettings& settings) { return settings.m_maxInnerSteps > 0; }
+
 bool hasRope(const SolverGroup& island)
 {
 	for (int i = 0; i < island.m_numConstraints; ++i)
@@ -191,25 +196,29 @@ void forgetTension(const SolverGroup& island)
 			island.m_joints[i]->m_step.forgetTension();
 }
 
-/// Whether there is the work for the contacts of two inner steps.
+/// Whether there is the work for the contacts of the fewest inner steps.
 bool hasWorkForContacts(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
 {
 	long long points = 0;
 	for (int i = 0; i < island.m_numManifolds; ++i)
 		points += island.m_manifolds[i]->getNumContacts();
-	return 2 * LEAST_WORK_A_POINT * points <= settings.m_maxInnerWork;
+	return LEAST_WORK_A_POINT * points << LEAST_LEVEL <= settings.m_maxInnerWork;
 }
 }  // namespace
 
 bool InnerSteps::mayBeTaken(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
 {
-	return settings.m_innerError > 0 && settings.m_maxInnerSteps > 1 &&
-		   2 * LEAST_WORK_A_JOINT * island.m_numConstraints <= settings.m_maxInnerWork;
+	return areAsked(settings) && LEAST_WORK_A_JOINT * island.m_numConstraints << LEAST_LEVEL <= settings.m_maxInnerWork;
 }
 
-bool InnerSteps::mayBounce(const btElasticPlasticSolverSettings& settings)
+bool InnerSteps::areAsked(const btElasticPlasticSolverSettings& settings)
 {
-	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL;
+	return settings.m_innerError > 0 && settings.m_maxInnerSteps > 1;
+}
+
+bool InnerSteps::mayBounce(const SolverGroup& group, const btElasticPlasticSolverSettings& settings)
+{
+	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL && mayBeTaken(group, settings);
 }
 
 void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& info,
@@ -219,16 +228,19 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	Task task = {
 		island,        info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
 		InnerRhythm(), 0,    0,        0};
-	const bool mayTake = info.m_timeStep > 0 && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
-	JointRegistry* const registry = mayTake ? beginJoints(island) : nullptr;
-	// A step control chooses the steps' length itself. Ropes alone are told when that changes.
-	const bool isControlled = registry && registry->isStepControlled();
-	if (!registry || (isControlled && !hasRope(island)))
+	bool mayTake = info.m_timeStep > 0 && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
+	// Ropes are told when tension comes on and when the step changes, whether there may be inner steps or not.
+	const bool hasRopes = !mayTake && mayGoBack(settings) && info.m_timeStep > 0 && hasRope(island);
+	JointRegistry* const registry = mayTake || hasRopes ? beginJoints(island) : nullptr;
+	// A step control chooses the steps' length itself.
+	if (registry && registry->isStepControlled())
+		mayTake = false;
+	if (!registry || (!mayTake && !hasRopes && !hasRope(island)))
 	{
 		solution.solveStep(info, 1, settings.m_maxWork);
 		return;
 	}
-	if (isControlled)
+	if (!mayTake)
 		task.m_maxLevel = 0;
 	m_motions.clear();
 	take(task, *registry);
@@ -421,6 +433,8 @@ int InnerSteps::mostLevel(const Task& task, int from, int level) const
 	double most = double(task.m_settings.m_maxInnerWork);
 	if (task.m_settings.m_maxWork > 0)
 		most = btMin(most, double(task.getWorkLeft()));
+	if (expectWork(task, from, LEAST_LEVEL) > most)
+		return 0;
 	while (level > 0 && expectWork(task, from, level) > most)
 		--level;
 	return level;
@@ -438,7 +452,7 @@ int InnerSteps::refine(const Task& task, int level, const Attempt& attempt) cons
 {
 	const double error = task.m_settings.m_innerError;
 	int wanted = attempt.m_isStruck ? BLOW_LEVEL : level;
-	if (attempt.m_open > error)
+	if (attempt.m_open > error && task.m_maxLevel > level)
 		btSetMax(wanted, level + btMax(1, int(ceil(0.5 * log2(attempt.m_open / error)))));
 	return btMax(level, mostLevel(task, level, btMin(wanted, task.m_maxLevel)));
 }

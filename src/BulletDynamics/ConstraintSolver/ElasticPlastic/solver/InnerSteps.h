@@ -42,8 +42,11 @@ public:
 	/// Whether there may be inner steps for an island: the settings ask for them, and it is not too large for the work that they allow.
 	static bool mayBeTaken(const SolverGroup& island, const btElasticPlasticSolverSettings& settings);
 
-	/// Whether there are enough of them for what bounces: with fewer it is to touch before it does.
-	static bool mayBounce(const btElasticPlasticSolverSettings& settings);
+	/// Whether the settings ask for them, for islands that are not too large.
+	static bool areAsked(const btElasticPlasticSolverSettings& settings);
+
+	/// Whether there may be enough of them for what bounces: with fewer it is to touch before it does.
+	static bool mayBounce(const SolverGroup& group, const btElasticPlasticSolverSettings& settings);
 
 	/// Solves an island for a step.
 	void solve(const SolverGroup& island, const btContactSolverInfo& info,

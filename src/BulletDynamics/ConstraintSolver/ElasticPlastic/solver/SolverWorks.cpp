@@ -14,6 +14,10 @@ namespace btElasticPlastic
 {
 namespace
 {
+/// Where more constraints than this come at once, contacts are taken as Bullet finds them: those found early are solved exactly, and a large
+/// structure that is hit takes twice the work for them.
+const int MOST_LOOKED_AHEAD = 1500;
+
 /// Whether all bodies of an island sleep. Bullet leaves out sleeping islands itself, unless the world does not split islands.
 bool isAsleep(const SolverGroup& island)
 {
@@ -65,9 +69,9 @@ void SolverWorks::setSettings(const btElasticPlasticSolverSettings& settings)
 void SolverWorks::setSolverSettings()
 {
 	btElasticPlasticSolverSettings settings = m_settings;
-	// Inner steps move bodies on which islands of other threads may stand, and early contacts use what they share.
+	// Inner steps, and what is solved again, move bodies on which islands of other threads may stand, and early contacts use what they share.
 	if (m_isInPool)
-		settings.m_innerError = 0;
+		settings.m_maxInnerSteps = 0;
 	for (const auto& solver : m_solvers)
 		solver->setSettings(settings);
 }
@@ -143,9 +147,9 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
 		return SolverGroup();
 	}
-	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::mayBeTaken(group, m_settings) &&
-		!isStepControlled())
-		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(m_settings), *dispatcher);
+	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::areAsked(m_settings) &&
+		group.m_numConstraints <= MOST_LOOKED_AHEAD && !isStepControlled())
+		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(group, m_settings), *dispatcher);
 	splitFound(group);
 	solveIslands(info, debugDrawer, dispatcher);
 	return getOthers();
