@@ -799,4 +799,51 @@ TEST(Lifetimes, ABodyIsNotJoinedToItself)
 		EXPECT_EQ(0, body->getAngularVelocity().length());
 	}
 }
+
+TEST(Lifetimes, AJointThatTheUserHasPutBackIsRepairedWhereItIs)
+{
+	for (Solver solver : SOLVERS)
+		for (const bool byState : {false, true})
+		{
+			Torn scene(solver);
+			const btElasticPlasticState whole = scene.m_joints[0]->getState();
+			btElasticPlasticJoint* const joint = scene.m_joints[1].get();
+			const int others = scene.m_world->getNumConstraints();
+			scene.m_world->addConstraint(scene.m_joints[1].get(), true);
+			if (byState)
+				EXPECT_TRUE(joint->setState(whole));
+			else
+				EXPECT_TRUE(scene.m_action->repair(joint));
+			// It was there twice, and once it had been removed and deleted the world had it still.
+			EXPECT_EQ(others + 1, scene.m_world->getNumConstraints());
+			scene.m_world->removeConstraint(scene.m_joints[1].get());
+			scene.m_joints.pop_back();
+			scene.step(3);
+			EXPECT_EQ(others, scene.m_world->getNumConstraints());
+		}
+}
+
+TEST(Lifetimes, AnActionThatGoesToAnotherWorldLeavesNoSpringsBehind)
+{
+	for (Solver solver : SOLVERS)
+	{
+		Diary diary;
+		Parts scene(solver), elsewhere(solver);
+		scene.m_action->setListener(&diary);
+		scene.row(2, 1, strong());
+		scene.m_world->setGravity(btVector3(0, 0, 0));
+		scene.step(5);
+		scene.m_world->removeAction(scene.m_action.get());
+		elsewhere.m_world->addAction(scene.m_action.get());
+		for (int i = 0; i < 10; ++i)
+		{
+			scene.step();
+			elsewhere.step();
+		}
+		// The substeps in which nobody has committed the joints are three at most.
+		EXPECT_EQ(2u, diary.m_refused.size()) << "solver " << int(solver);
+		EXPECT_EQ(0, scene.m_joints[0]->getNumCommittedRows());
+		elsewhere.m_world->removeAction(scene.m_action.get());
+	}
+}
 }  // namespace testLifetimes

@@ -692,6 +692,26 @@ TEST(Snapshot, FibresGoOnWithTheSameBits)
 	}
 }
 
+TEST(Snapshot, FibresThatAreLetGoGoOnWithTheSameBits)
+{
+	// What the solver remembered of fibres that there were no more made the world's own snapshot a foreign one.
+	FibreBeam beam;
+	beam.run(10);
+	btElasticPlasticJoint* const joint = beam.m_world.joints()[0];
+	const btElasticPlasticCapacity whole = joint->getCapacity();
+	btElasticPlasticCapacity none = whole;
+	none.scaleYield(0);
+	ASSERT_TRUE(joint->setCapacity(none));
+	const Bytes snapshot = save(beam.m_world);
+	ASSERT_FALSE(restore(beam.m_world, snapshot));
+	beam.run(5);
+	ASSERT_TRUE(joint->setCapacity(whole));
+	const Bytes held = save(beam.m_world);
+	const std::vector<uint64_t> expected = beam.run(20);
+	ASSERT_FALSE(restore(beam.m_world, held));
+	EXPECT_EQ(-1, firstDifference(expected, beam.run(20)));
+}
+
 /// What bodies still owe for what a joint has taken is of the direct form, too.
 TEST(Snapshot, HoldsWhatBodiesOwe)
 {
@@ -786,5 +806,30 @@ TEST(Snapshot, CountsThatAreSpoiltAskForLittleMemory)
 	transfer(reader, image);
 	EXPECT_FALSE(reader.isComplete());
 	EXPECT_LT(image.m_objects.capacity() * sizeof(image.m_objects[0]), 20 * values.size());
+}
+
+TEST(Snapshot, OfAnActionWhoseJointsSeparateInAnotherWorldIsRefused)
+{
+	// Two worlds with one action; in the larger one the bodies of a broken joint overlap.
+	World here(Solver::Direct), there(Solver::Direct);
+	here.bullet().addAction(&there.action());
+	btCollisionShape* const cube = here.box(btVector3(1, 1, 1));
+	btRigidBody* last = nullptr;
+	for (int i = 0; i < 5; ++i)
+	{
+		btRigidBody* const next = there.body(20, cube, at(btScalar(i) / 2, 0));
+		if (last)
+			there.joint(*last, *next, at(btScalar(i) / 2 - btScalar(.25), 0), evenCapacity(1e6, 1e4));
+		last = next;
+	}
+	here.body(20, cube, at(0));
+	run(there, 1);
+	ASSERT_TRUE(there.action().breakJoint(there.bullet(), there.joints()[3]));
+	Bytes bytes(10000);
+	EXPECT_EQ(0,
+			  btElasticPlasticSave(here.bullet(), broadphaseOf(here), there.action(), bytes.data(), int(bytes.size())));
+	here.bullet().removeAction(&there.action());
+	// The world that it is in is saved as before.
+	EXPECT_FALSE(restore(there, save(there)));
 }
 }  // namespace testSnapshot

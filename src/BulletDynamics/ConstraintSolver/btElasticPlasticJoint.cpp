@@ -38,7 +38,10 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 	const bool isOther = model.m_fault || !capacity.isSameAs(model.m_capacity);
 	model.m_refused = capacity.fault();
 	if (!model.m_refused)
+	{
 		model.takeCapacity(capacity);
+		m_works->m_step.fitLastBounds();
+	}
 	m_works->rouse();
 	m_works->setFault(model.findFault());
 	if (model.m_fault)

@@ -45,7 +45,7 @@ int btElasticPlasticSave(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broad
 	if (world.getBroadphase() != &broadphase || countOthers(world, broadphase) != 0)
 		return 0;
 	Snapshot snapshot(world, broadphase, action);
-	if (!snapshot.isBetweenSteps())
+	if (!snapshot.isBetweenSteps() || snapshot.isOfAnotherWorld())
 		return 0;
 	Header header;
 	const size_t room = buffer && capacity > int(sizeof header) ? size_t(capacity) - sizeof header : 0;
@@ -76,6 +76,9 @@ btElasticPlasticFault btElasticPlasticRestore(btDiscreteDynamicsWorld& world, bt
 	Snapshot snapshot(world, broadphase, action);
 	if (!snapshot.isBetweenSteps())
 		return btElasticPlasticFault("number of substeps and events under way", 1, "0: restore outside of listeners");
+	if (snapshot.isOfAnotherWorld())
+		return btElasticPlasticFault("number of worlds in which broken joints of the action separate", 2,
+									 "1: the one that is restored");
 	Header header;
 	const Header own;
 	if (!buffer || size < int(sizeof header))

@@ -104,6 +104,12 @@ public:
 	/// By fibre: -1, 0 or 1. The next step's search for the fibres at their bounds begins with them.
 	std::vector<signed char> getLastBounds() const;
 	void setLastBounds(const std::vector<signed char>& bounds);
+	/// Of fibres that there are no more.
+	void forgetLastBoundsBeyond(int numFibres)
+	{
+		if (m_solution.size() > numFibres)
+			m_solution.resize(numFibres);
+	}
 
 private:
 	struct Solution

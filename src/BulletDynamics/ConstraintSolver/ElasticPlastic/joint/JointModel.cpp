@@ -25,6 +25,13 @@ bool JointModel::pointsTowardsB() const
 	return reachOf(bodyA(), m_frameInA) >= reachOf(bodyB(), m_frameInB);
 }
 
+namespace
+{
+/// Components of a rotation vector are deformations as long as the rotation is small: by the square of half of it, otherwise. A turn about
+/// what is free is taken out of it beyond this [rad].
+const btScalar FREE_TURN = btScalar(0.03);
+}  // namespace
+
 void JointModel::measure(Kinematics& kinematics) const
 {
 	kinematics.evaluate(bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB,
@@ -346,10 +353,21 @@ void JointModel::takePoseAsReference(unsigned dofs)
 
 void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
 {
-	for (int i = 0; i < 3; ++i)
-		m_state.m_initial[i] += deformation[i];
+	// What bows less is longer, and is not to be pressed for it.
+	const bool bows = m_capacity.m_length > 0 && (deformation[4] != 0 || deformation[5] != 0);
+	Kinematics before, after;
+	if (bows)
+		measure(before);
 	if (deformation[3] != 0 || deformation[4] != 0 || deformation[5] != 0)
 		turnReference(deformation);
+	for (int i = 0; i < 3; ++i)
+		m_state.m_initial[i] += deformation[i];
+	if (!bows)
+		return;
+	measure(after);
+	const btScalar longer = after.m_strain[0] - (before.m_strain[0] - deformation[0]);
+	if (isDeformation(longer))
+		m_state.m_initial[0] += longer;
 }
 
 JointModel::Stretch JointModel::findStretch() const
@@ -486,10 +504,12 @@ void JointModel::setReferenceToCurrentPose()
 	if (measureReference(now))
 	{
 		const RelativeRotation rotation = relativeRotation();
-		for (int i = 0; i < 3; ++i)
-			m_state.m_initial[i] += now.m_strain[i];
 		m_state.m_plasticRotation = rotation.m_relative;
 		m_state.m_plasticMiddle = rotation.m_middle;
+		// What is straight does not bow.
+		measure(now);
+		for (int i = 0; i < 3; ++i)
+			m_state.m_initial[i] += now.m_strain[i];
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		m_state.forget(i);
@@ -754,6 +774,21 @@ double JointModel::springEnergy() const
 		energy += (forces.along(section.of(forces)) / 2 + between(m_state.m_branch[b])) / double(damping.getGain(b));
 	}
 	return energy;
+}
+
+void JointModel::followFreeTurn(const Kinematics& before)
+{
+	btScalar turn[BT_EP_DOF_COUNT] = {}, most = 0;
+	Kinematics now;
+	for (int i = 3; i < BT_EP_DOF_COUNT; ++i)
+		if (!isElasticPlastic(i))
+			btSetMax(most, btFabs(before.m_strain[i]));
+	if (!(most > FREE_TURN) || !measureReference(now))
+		return;
+	for (int i = 3; i < BT_EP_DOF_COUNT; ++i)
+		if (!isElasticPlastic(i))
+			turn[i] = now.m_strain[i];
+	turnReference(turn);
 }
 
 void JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])

@@ -108,6 +108,11 @@ struct JointModel
 	/// \param increment  of all degrees of freedom, of which the rotations are used
 	void turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
 
+	/// Has the reference turn with the bodies about what is free. Deformations stay as they are; with the turn among them, springs would
+	/// do more work than they take.
+	/// \param before  as the step began
+	void followFreeTurn(const Kinematics& before);
+
 	/// Reduces the elastic deformation at the present pose by moving the reference, without counting that as plastic [m],
 	/// [rad].
 	void moveReference(const btScalar deformation[BT_EP_DOF_COUNT]);

@@ -212,8 +212,9 @@ btElasticPlasticFault JointRegistry::putBack(JointWorks& joint, btDynamicsWorld*
 									 "1 or 2: call btElasticPlasticAction::repair with the world");
 	m_broken.remove(joint.m_entry.m_index);
 	endSeparation(joint);
-	if (world ? !isIn(*world, joint.m_model.m_constraint) : entry.m_world != nullptr)
-		(world ? world : entry.m_world)->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
+	btDynamicsWorld* const to = world ? world : entry.m_world;
+	if (to && !isIn(*to, joint.m_model.m_constraint))
+		to->addConstraint(&joint.m_model.m_constraint, entry.m_disableCollisions);
 	m_joints.append(Entry(&joint));
 	joint.m_entry.m_worldIndex = 0;
 	return btElasticPlasticFault();
@@ -358,11 +359,12 @@ bool JointRegistry::isInWorld(const btDynamicsWorld& world, JointWorks& joint)
 	return index >= 0;
 }
 
-/// Another action may have taken a joint out of the world within the step, and deleted its bodies.
+/// Another action may have taken a joint out of the world within the step, and deleted its bodies; or this action has come to another world,
+/// and nobody commits what stayed behind.
 void JointRegistry::leaveIfGone(const btDynamicsWorld& world, JointWorks& joint)
 {
 	if (joint.isInStep() && !isInWorld(world, joint))
-		joint.leaveStep();
+		joint.leaveUncommitted();
 }
 
 /// To be asked after the joint's commit. Of sleeping joints those are looked at that stand on something.

@@ -618,11 +618,16 @@ void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) co
 {
 	const Kinematics& k = m_kinematics;
 	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
-	const btVector3 &wA = A.getInterpolationAngularVelocity(), &wB = B.getInterpolationAngularVelocity();
+	// Bullet does not move what is static, and leaves it the velocities of its last motion.
+	const btVector3 still(0, 0, 0);
+	const auto moves = [](const btRigidBody& body) { return !body.isStaticObject() || body.isKinematicObject(); };
+	const auto spinOf = [&](const btRigidBody& body)
+	{ return moves(body) ? body.getInterpolationAngularVelocity() : still; };
+	const auto velocityOf = [&](const btRigidBody& body)
+	{ return moves(body) ? body.getInterpolationLinearVelocity() : still; };
+	const btVector3 wA = spinOf(A), wB = spinOf(B);
 	spin = wA - wB;
-	project(
-		A.getInterpolationLinearVelocity() + wA.cross(k.m_rA) - B.getInterpolationLinearVelocity() - wB.cross(k.m_rB),
-		spin, onAxes);
+	project(velocityOf(A) + wA.cross(k.m_rA) - velocityOf(B) - wB.cross(k.m_rB), spin, onAxes);
 }
 
 /// Whether a joint can go on from what the step has left. One of Bullet's own solvers may have made nothing finite of it.
@@ -921,6 +926,7 @@ int JointStep::commit(double share, bool isNew)
 	}
 	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
 		m_model.turnReference(increment);
+	m_model.followFreeTurn(m_kinematics);
 	if (!flowed)
 		return NOTHING;
 	const int outcome = state.m_yielded ? NOTHING : YIELDED;

@@ -187,6 +187,8 @@ public:
 	/// As getLastBounds(), of the fibres in the capacity's order.
 	std::vector<signed char> getLastFibreBounds() const { return m_fibres.getLastBounds(); }
 	void setLastFibreBounds(const std::vector<signed char>& bounds) { m_fibres.setLastBounds(bounds); }
+	/// After a change of the capacity.
+	void fitLastBounds() { m_fibres.forgetLastBoundsBeyond(m_model.m_capacity.m_fibres.size()); }
 
 	/// J v of all six degrees of freedom from the relative velocity of A to B at the common point and the relative angular
 	/// velocity, or likewise a force's and a torque's components.

@@ -131,7 +131,7 @@ bool JointWorks::setState(const btElasticPlasticState& state)
 bool JointWorks::needsRegistry() const
 {
 	const bool holds = m_model.m_dofs && !m_model.m_fault && !m_model.m_state.m_broken;
-	return holds && (!m_entry.m_registry || m_numUncommitted > 2);
+	return holds && (!m_entry.m_registry || m_numUncommitted > 2 || m_numLeft > 2);
 }
 
 /// Refuses a joint that nobody commits: it would be a spring that never yields.
@@ -352,6 +352,12 @@ void JointWorks::takeFeedback()
 		m_feedback.decode(m_model.m_constraint, m_step);
 }
 
+void JointWorks::leaveUncommitted()
+{
+	leaveStep();
+	++m_numLeft;
+}
+
 void JointWorks::leaveStep()
 {
 	m_step.forget();
@@ -361,6 +367,8 @@ void JointWorks::leaveStep()
 
 int JointWorks::commit()
 {
+	if (isInStep())
+		m_numLeft = 0;
 	const int inside = m_outcome;
 	const bool isDone = m_isCommittedInside;
 	m_outcome = 0;

@@ -127,6 +127,9 @@ public:
 	/// Forgets that step: the joint's bodies may be deleted.
 	void leaveStep();
 
+	/// The same of a step that has been solved.
+	void leaveUncommitted();
+
 	/// Whether the last commit ended a step that the joint had a part in.
 	bool wasInStep() const { return m_step.getNumCommittedRows() > 0; }
 
@@ -155,7 +158,7 @@ public:
 	void setOutOfIslands(bool isOut);
 
 	/// Sets the number of substeps that nobody has committed to zero.
-	void forgetUncommitted() { m_numUncommitted = 0; }
+	void forgetUncommitted() { m_numUncommitted = m_numLeft = 0; }
 
 	// ---- for snapshots
 
@@ -234,6 +237,7 @@ private:
 
 	Request m_request = WHOLE_ROWS;      ///< of this step
 	Request m_nextRequest = WHOLE_ROWS;  ///< of the next one
+	int m_numLeft = 0;                   ///< number of solved substeps that the joint has left since the last commit
 	int m_numUncommitted = 0;            ///< number of successive substeps that nobody has committed
 	bool m_isFaultTold = true;
 	btElasticPlasticFault m_stepFault;  ///< what keeps the joint out of the present step

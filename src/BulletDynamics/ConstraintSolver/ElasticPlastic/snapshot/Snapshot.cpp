@@ -556,6 +556,13 @@ bool Snapshot::areEventsSound(const WorldImage& image) const
 
 bool Snapshot::isBetweenSteps() const { return !m_registry.isBusy(); }
 
+bool Snapshot::isOfAnotherWorld() const
+{
+	const btCollisionObject* const mark = m_registry.getMark();
+	return mark && m_world.getCollisionObjectArray().findLinearSearch(const_cast<btCollisionObject*>(mark)) ==
+					   m_world.getNumCollisionObjects();
+}
+
 btElasticPlasticFault Snapshot::findMismatch(const WorldImage& image) const
 {
 	if (const btElasticPlasticFault fault = findForeignObject(image))

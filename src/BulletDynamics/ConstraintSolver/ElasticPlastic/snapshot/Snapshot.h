@@ -31,6 +31,9 @@ public:
 	/// Whether no substep is being ended, and no listener told of an event.
 	bool isBetweenSteps() const;
 
+	/// Whether bodies of broken joints separate in another world than this one.
+	bool isOfAnotherWorld() const;
+
 	/// Writes the world, part after part in the order in which transfer() has those of a WorldImage.
 	void save(Writer& writer) const;
 
