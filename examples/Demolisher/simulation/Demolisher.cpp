@@ -102,6 +102,8 @@ void Demolisher::setEffort(int substeps, int iterations, btScalar innerError)
 	{
 		btElasticPlasticSolverSettings settings = ours->getSettings();
 		settings.m_innerError = double(innerError);
+		// The fence and the bridge are larger than what takes them by default.
+		settings.m_maxInnerWork = 2 * btElasticPlasticSolverSettings().m_maxInnerWork;
 		ours->setSettings(settings);
 	}
 	m_settings.method.iterations = iterations;
