@@ -39,6 +39,7 @@ const bool IS_REGISTERED = []
 							   {"iterative", Solver::Iterative, {1. / 60, 1, 0}},
 							   {"direct", Solver::Direct, {1. / 60, 1, 0}},
 							   {"direct_8_substeps", Solver::Direct, {1. / 60, 8, 0}},
+							   {"direct_for_10_percent", Solver::Direct, {1. / 60, 1, 0.1}},
 							   {"direct_for_1_percent", Solver::Direct, {1. / 60, 1, 0.01}}};
 	for (const Problem& problem : problems())
 		for (const Way& way : ways)
