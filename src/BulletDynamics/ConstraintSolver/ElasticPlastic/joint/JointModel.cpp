@@ -27,8 +27,8 @@ bool JointModel::pointsTowardsB() const
 
 namespace
 {
-/// Components of a rotation vector are deformations as long as the rotation is small: by the square of half of it, otherwise. A turn about
-/// what is free is taken out of it beyond this [rad].
+/// Components of a rotation vector are deformations as long as the rotation is small: their rates are off by a twelfth of its square. A
+/// turn about what is free is taken out of it beyond this [rad].
 const btScalar FREE_TURN = btScalar(0.03);
 }  // namespace
 

@@ -127,7 +127,7 @@ public:
 	/// Forgets that step: the joint's bodies may be deleted.
 	void leaveStep();
 
-	/// The same of a step that has been solved.
+	/// The same of a step that has been solved, and that nobody commits. After three of them the joint is refused.
 	void leaveUncommitted();
 
 	/// Whether the last commit ended a step that the joint had a part in.
