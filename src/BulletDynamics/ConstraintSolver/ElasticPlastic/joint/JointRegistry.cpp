@@ -460,8 +460,7 @@ void JointRegistry::removeFromWorld(btDynamicsWorld& world, Entry& entry)
 	if (JointWorks* const moved =
 			place < world.getNumConstraints() ? JointWorks::from(world.getConstraint(place)) : nullptr)
 		moved->m_entry.m_worldIndex = place;
-	const bool isOfAnother = m_token.getWorld() && m_token.getWorld() != &world;
-	if (entry.m_disableCollisions && !isOfAnother && joint.m_separation.begin(world, constraint))
+	if (entry.m_disableCollisions && !hasMarkedAnother(world) && joint.m_separation.begin(world, constraint))
 	{
 		m_token.enter(world);
 		++m_numSeparations;

@@ -135,6 +135,11 @@ public:
 
 	/// The object that marks a world in which broken joints separate; null if none do.
 	btCollisionObject* getMark() const { return m_token.getObject(); }
+	/// Whether it marks another world than this one.
+	bool hasMarkedAnother(const btDynamicsWorld& world) const
+	{
+		return m_token.getWorld() && m_token.getWorld() != &world;
+	}
 
 	/// Arranges the joints that are known here, and whether they are in the world, as they were at another time. Unread events
 	/// are gone.

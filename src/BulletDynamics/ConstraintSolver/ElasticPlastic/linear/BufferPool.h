@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace btElasticPlastic
@@ -44,11 +45,9 @@ public:
 		m_free.back().swap(buffer);
 		if (m_free.size() <= MOST_FREE)
 			return;
-		size_t least = 0;
-		for (size_t i = 1; i < m_free.size(); ++i)
-			if (m_free[i].capacity() < m_free[least].capacity())
-				least = i;
-		m_free.erase(m_free.begin() + std::ptrdiff_t(least));
+		m_free.erase(std::min_element(m_free.begin(), m_free.end(),
+									  [](const std::vector<double>& a, const std::vector<double>& b)
+									  { return a.capacity() < b.capacity(); }));
 	}
 
 private:

@@ -111,16 +111,21 @@ void LinearSolver::giveBuffersBack(Plan& plan)
 	m_buffers.give(values);
 }
 
+/// Of the matrix or of the factor, where it has given its own back.
+template <class Blocks>
+void LinearSolver::takeBuffer(Blocks& blocks)
+{
+	if (blocks.hasValues())
+		return;
+	std::vector<double> values;
+	m_buffers.take(blocks.getNumValues(), values);
+	blocks.swapValues(values);
+}
+
 void LinearSolver::setMatrixZero()
 {
-	BlockMatrix& matrix = m_plan->m_matrix;
-	if (!matrix.hasValues())
-	{
-		std::vector<double> values;
-		m_buffers.take(matrix.getNumValues(), values);
-		matrix.swapValues(values);
-	}
-	matrix.setZero();
+	takeBuffer(m_plan->m_matrix);
+	m_plan->m_matrix.setZero();
 }
 
 void LinearSolver::setSettings(const btElasticPlasticSolverSettings& settings)
@@ -167,12 +172,7 @@ bool LinearSolver::factorise()
 	const ScopedTimer timer("elastic-plastic factorise", m_statistics.m_factorisationTime);
 	++m_statistics.m_factorisations;
 	BlockFactor& factor = m_plan->m_factor;
-	if (!factor.hasValues())
-	{
-		std::vector<double> values;
-		m_buffers.take(factor.getNumValues(), values);
-		factor.swapValues(values);
-	}
+	takeBuffer(factor);
 	bool done;
 	if (m_factorState == NEARLY && 8 * m_changed.size() < size_t(m_plan->m_numBodies))
 	{

@@ -119,6 +119,8 @@ private:
 	void leaveGraphOf(int islandId);
 	Plan& newPlan(size_t hash);
 	void giveBuffersBack(Plan& plan);
+	template <class Blocks>
+	void takeBuffer(Blocks& blocks);
 	bool factorise();
 	void countSolution();
 	bool iterate(std::vector<double>& x);

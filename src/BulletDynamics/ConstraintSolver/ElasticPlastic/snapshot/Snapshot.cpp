@@ -556,12 +556,7 @@ bool Snapshot::areEventsSound(const WorldImage& image) const
 
 bool Snapshot::isBetweenSteps() const { return !m_registry.isBusy(); }
 
-bool Snapshot::isOfAnotherWorld() const
-{
-	const btCollisionObject* const mark = m_registry.getMark();
-	return mark && m_world.getCollisionObjectArray().findLinearSearch(const_cast<btCollisionObject*>(mark)) ==
-					   m_world.getNumCollisionObjects();
-}
+bool Snapshot::isOfAnotherWorld() const { return m_registry.hasMarkedAnother(m_world); }
 
 btElasticPlasticFault Snapshot::findMismatch(const WorldImage& image) const
 {

@@ -144,12 +144,11 @@ bool isFree(const btSolverBody& body)
 }
 }  // namespace
 
-void DirectForm::begin(bool sweepsContacts, double share, int numJoints)
+void DirectForm::begin(bool sweepsContacts, double share)
 {
 	m_sweepsContacts = sweepsContacts;
 	m_share = share;
 	m_input.clear();
-	m_input.reserve(size_t(numJoints));
 	m_joints.resize(0);
 	m_index.resize(0);
 	m_poolRows.resize(0);
@@ -617,8 +616,7 @@ void DirectForm::solve(const SolverPools& pools, const btContactSolverInfo& info
 		solveAround(pools, info, rowSolvers);
 		return;
 	}
-	if (m_recovery.isAsked())
-		m_recovery.keep(m_input);
+	m_recovery.keep(m_input);
 	// The first joint of an island keeps the island's id.
 	const bool isSolved = m_system.solve(m_input, m_joints[0].m_works->m_islandId, System::EXACT);
 	writeVelocities(pools);
@@ -650,7 +648,7 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 		const bool isFirst = done == 0, isLast = done >= sweeps;
 		const double made = isFirst ? m_swept.findMade(pools) : 0;
 		takeTargets();
-		if (isLast && m_recovery.isAsked())
+		if (isLast)
 			m_recovery.keep(m_input);
 		const System::Effort effort = isLast ? System::EXACT : System::ROUGH;
 		isSolved = isFirst ? m_system.solve(m_input, m_joints[0].m_works->m_islandId, effort, 2 + sweeps / between)
@@ -679,8 +677,7 @@ void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo
 		else
 			m_swept.takeBack(pools);
 		takeTargets();
-		if (m_recovery.isAsked())
-			m_recovery.keep(m_input);
+		m_recovery.keep(m_input);
 		isSolved = m_system.solveAgain(m_input, System::EXACT);
 		writeVelocities(pools);
 	}

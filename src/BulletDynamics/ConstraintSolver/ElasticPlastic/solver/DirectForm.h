@@ -31,8 +31,10 @@ public:
 	/// Begins an island.
 	/// \param sweepsContacts  whether contacts are swept around the joints
 	/// \param share           of the world's step that is to be solved; Bullet bounds some impulses by the step
-	/// \param numJoints       about how many there will be
-	void begin(bool sweepsContacts, double share, int numJoints);
+	void begin(bool sweepsContacts, double share);
+
+	/// Makes room for so many joints.
+	void reserve(int numJoints) { m_input.reserve(size_t(numJoints)); }
 
 	/// \param solverBodies  of the joint's bodies, indices of the pool
 	void addJoint(JointWorks& joint, const JointRows& rows, const int solverBodies[2], const SolverPools& pools);

@@ -228,14 +228,14 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	Task task = {
 		island,        info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
 		InnerRhythm(), 0,    0,        0};
-	bool mayTake = info.m_timeStep > 0 && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
+	const bool isStep = info.m_timeStep > 0,
+			   hasRoom = isStep && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
 	// Ropes are told when tension comes on and when the step changes, whether there may be inner steps or not.
-	const bool hasRopes = !mayTake && mayGoBack(settings) && info.m_timeStep > 0 && hasRope(island);
-	JointRegistry* const registry = mayTake || hasRopes ? beginJoints(island) : nullptr;
+	const bool isLookedAt = hasRoom || (isStep && mayGoBack(settings) && hasRope(island));
+	JointRegistry* const registry = isLookedAt ? beginJoints(island) : nullptr;
 	// A step control chooses the steps' length itself.
-	if (registry && registry->isStepControlled())
-		mayTake = false;
-	if (!registry || (!mayTake && !hasRopes && !hasRope(island)))
+	const bool mayTake = hasRoom && registry && !registry->isStepControlled();
+	if (!registry || (!mayTake && !hasRope(island)))
 	{
 		solution.solveStep(info, 1, settings.m_maxWork);
 		return;

@@ -115,7 +115,7 @@ bool IslandSolver::sweepsContacts(const SolverGroup& island) const
 
 void IslandSolver::convertJoints(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
 {
-	m_direct.begin(m_sweepsContacts, double(m_share), m_settings.m_form == BT_EP_DIRECT ? numConstraints : 0);
+	m_direct.begin(m_sweepsContacts, double(m_share));
 	m_iterative.begin();
 	if (m_settings.m_form == BT_EP_DIRECT)
 		convertForDirect(constraints, numConstraints, info);
@@ -128,6 +128,7 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 {
 	m_others.resize(0);
 	m_otherJoints.resize(0);
+	m_direct.reserve(numConstraints);
 	{
 		const ScopedTimer timer("elastic-plastic set-up", m_statistics.m_setUpTime);
 		for (int i = 0; i < numConstraints; ++i)

@@ -47,9 +47,11 @@ public:
 	/// Is there anything to recover?
 	bool isAsked() const { return m_isAsked; }
 
-	/// Keeps the rows as they are before the first solution.
+	/// Keeps the rows as they are before the first solution, if it is asked.
 	void keep(const SystemInput& input)
 	{
+		if (!m_isAsked)
+			return;
 		m_rows.reserve(input.m_rows.capacity());
 		m_rows = input.m_rows;
 	}
