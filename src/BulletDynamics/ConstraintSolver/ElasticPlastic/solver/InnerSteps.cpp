@@ -20,9 +20,15 @@ const int BOUNCE_LEVEL = 3;
 /// 1 << this many where something strikes a structure, at the least: in a longer step all of it is struck at once.
 const int BLOW_LEVEL = 5;
 /// The number of successive steps that have to leave little open before inner steps become half as many.
-const int CALM_INNER_STEPS = 6;
-/// After so many they do whatever the moment.
-const int MOST_CALM_INNER_STEPS = 24;
+const int CALM_STEPS = 6;
+/// They need not be more than have so many inner steps.
+const int ENOUGH_CALM_INNER_STEPS = 192;
+/// The same of inner steps before those to come within the step become twice as long: of a swing that they resolve it is more than one.
+const int CALM_RUN = 16;
+/// After so many times the number they do whatever the moment.
+const int PATIENCE = 4;
+/// Below this share of the error allowed an inner step of a run has left little open: what each of many leaves adds up.
+const double CALM_RUN_SHARE = 1. / 128;
 /// Levels that may become less at once.
 const int MOST_SPARE = 15;
 /// Below this share of the error allowed a step has left little open: it falls as the square of the step.
@@ -227,7 +233,7 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 {
 	Task task = {
 		island,        info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
-		InnerRhythm(), 0,    0,        0};
+		InnerRhythm(), 0,    0,        0,          0};
 	const bool isStep = info.m_timeStep > 0,
 			   hasRoom = isStep && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
 	// Ropes are told when tension comes on and when the step changes, whether there may be inner steps or not.
@@ -268,13 +274,13 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 		const bool isWhole = level == 0 && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
 		const bool isAgain =
-			attempt.m_next == level && attempt.m_isTaut && timesForeseen < MOST_FORESEEN && hasWorkForAnother(task);
+			!attempt.m_isLeft && attempt.m_isTaut && timesForeseen < MOST_FORESEEN && hasWorkForAnother(task);
 		if ((attempt.m_isTaut || timesForeseen > 0) && !isAgain)
 			forgetTension(island);
 		timesForeseen = isAgain ? timesForeseen + 1 : 0;
-		if (attempt.m_next == level && !isAgain)
+		if (!attempt.m_isLeft && !isAgain)
 		{
-			remember(task, level, attempt);
+			remember(task, attempt.m_next, attempt);
 			return;
 		}
 		if (isWhole)
@@ -293,11 +299,12 @@ int InnerSteps::beginLevel(Task& task)
 	const InnerRhythm& rhythm = task.m_rhythm;
 	if (rhythm.m_level > 0 && rhythm.m_quiet >= QUIET_STEPS)
 		return rhythm.m_level - 1;
-	if (rhythm.m_level == 0 || rhythm.m_calm < CALM_INNER_STEPS)
+	const int calm = btMax(1, btMin(CALM_STEPS, ENOUGH_CALM_INNER_STEPS >> rhythm.m_level));
+	if (rhythm.m_level == 0 || rhythm.m_calm < calm)
 		return rhythm.m_level;
 	const int level = btMax(rhythm.m_level - btMax(int(rhythm.m_spare), 1), 0);
 	const btScalar longer = task.m_info.m_timeStep / btScalar(1 << level);
-	if (rhythm.m_calm < MOST_CALM_INNER_STEPS && !m_state.isJoinedShiftSmall(island, longer))
+	if (rhythm.m_calm < PATIENCE * calm && !m_state.isJoinedShiftSmall(island, longer))
 		return rhythm.m_level;
 	task.m_rhythm.m_calm = 0;
 	return level;
@@ -316,6 +323,7 @@ InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 	attempt.m_open = left.getMendableShare();
 	attempt.m_doubted = left.getShare();
 	findNext(task, 0, attempt);
+	attempt.m_isLeft = attempt.m_next != 0;
 	return attempt;
 }
 
@@ -354,61 +362,114 @@ void InnerSteps::limit(Attempt& attempt, double error)
 	btSetMin(attempt.m_doubted, error * CALM_INNER_SHARE);
 }
 
-/// Leaves the step in the middle where it goes on at another level.
+/// Leaves the step in the middle where it begins again at another level. While inner steps are many they become longer within the step:
+/// what a blow leaves open falls within a few of them.
 InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 {
 	const SolverGroup& island = task.m_island;
-	const int steps = 1 << level;
-	const btScalar dt = task.m_info.m_timeStep, share = 1 / btScalar(steps), h = dt * share,
-				   leastSpeed = task.m_info.m_restitutionVelocityThreshold;
+	const int all = 1 << level;
+	const btScalar dt = task.m_info.m_timeStep;
+	m_state.saveJoints(island);
+	setInnerLength(task, dt, level);
+	Attempt attempt = {};
+	Run run = {level, 0, 0, 0, false};
+	double open = 0, doubted = 0;
+	int steps = 0;
+	for (int left = all; left > 0; ++steps)
+	{
+		const int parts = 1 << (level - run.m_level), ahead = left / parts;
+		const btScalar h = dt / btScalar(1 << run.m_level);
+		left -= parts;
+		m_state.carry(dt * btScalar(all - left) / btScalar(all), h, task.m_info.m_restitutionVelocityThreshold);
+		solveInnerStep(task, h, ahead);
+		const OpenShare share = measure(island, h, dt, attempt.m_flows);
+		btSetMax(attempt.m_power, share.getPower());
+		btSetMax(attempt.m_yieldEnergy, share.getYieldEnergy());
+		run.add(share, task.m_settings.m_innerError);
+		attempt.m_isStruck = isStruck(task, run.m_level);
+		attempt.m_open = run.m_open;
+		attempt.m_doubted = run.m_doubted;
+		// What stays clear of yield asks for no shorter steps.
+		if (!run.m_isLoaded)
+			limit(attempt, task.m_settings.m_innerError);
+		findNext(task, run.m_level, attempt);
+		btSetMax(open, attempt.m_open);
+		btSetMax(doubted, attempt.m_doubted);
+		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
+		if (run.m_level == level && 2 * left >= all && isTooMuch(task, left / parts))
+			task.m_maxLevel = attempt.m_next = mostLevel(task, run.m_level, level);
+		if (attempt.m_next != run.m_level)
+		{
+			attempt.m_isLeft = true;
+			// Longer steps have come too early.
+			if (run.m_level < level)
+			{
+				task.m_longerFrom = btScalar(all - left) / btScalar(all);
+				btSetMax(attempt.m_next, level);
+			}
+			break;
+		}
+		m_state.move(h);
+		for (int i = 0; i < island.m_numConstraints; ++i)
+			if (island.m_joints[i])
+				island.m_joints[i]->commitInside(1. / (1 << run.m_level));
+		const bool fits = left > 0 && left % (2 * parts) == 0 && task.m_longerFrom * all <= all - left;
+		if (fits && mayBeLonger(task, run, 2 * h))
+		{
+			m_impulses.restore();
+			run = {run.m_level - 1, 0, 0, 0, false};
+			setInnerLength(task, h, run.m_level);
+		}
+	}
+	m_impulses.restore();
+	if (attempt.m_isLeft)
+		return attempt;
+	attempt.m_open = open;
+	attempt.m_doubted = doubted;
+	attempt.m_next = run.m_level;
+	m_state.shiftFreeVelocities((dt / btScalar(1 << run.m_level) - dt) / 2);
+	m_state.finish(steps, m_motions);
+	return attempt;
+}
+
+/// Velocities that belong to steps of one length come to belong to those of a level.
+void InnerSteps::setInnerLength(Task& task, btScalar before, int level)
+{
+	const btScalar share = 1 / btScalar(1 << level), h = task.m_info.m_timeStep * share;
+	m_state.shiftFreeVelocities((before - h) / 2);
+	m_state.shiftJoinedVelocities(task.m_island, h);
+	m_state.scaleImpulses(h / before);
+	m_impulses.scale(task.m_island, share);
+}
+
+/// \param ahead  how many such steps are left, with it
+void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead)
+{
+	const btScalar share = h / task.m_info.m_timeStep;
 	btContactSolverInfo info = task.m_info;
 	info.m_timeStep = h;
 	info.m_erp *= share;
 	info.m_erp2 *= share;
-	m_state.saveJoints(island);
-	m_state.shiftFreeVelocities((dt - h) / 2);
-	m_state.shiftJoinedVelocities(island, h);
-	m_impulses.scale(island, share);
-	Attempt attempt = {};
-	double open = 0, doubted = 0;
-	bool isLoaded = false;
-	for (int k = 0; k < steps; ++k)
-	{
-		m_state.carry((k + 1) * h, h, leastSpeed);
-		++task.m_numSolutions;
-		++task.m_statistics.m_innerSteps;
-		const bool isBounded = task.m_settings.m_maxWork > 0;
-		task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / (steps - k), 1ll) : 0);
-		const OpenShare left = measure(island, h, dt, attempt.m_flows);
-		btSetMax(attempt.m_power, left.getPower());
-		btSetMax(attempt.m_yieldEnergy, left.getYieldEnergy());
-		btSetMax(open, left.getMendableShare());
-		btSetMax(doubted, left.getShare());
-		isLoaded = isLoaded || left.isLoaded();
-		attempt.m_isStruck = isStruck(task, level);
-		attempt.m_open = open;
-		attempt.m_doubted = doubted;
-		// What stays clear of yield asks for no shorter steps.
-		if (!isLoaded)
-			limit(attempt, task.m_settings.m_innerError);
-		findNext(task, level, attempt);
-		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
-		if (2 * k < steps && isTooMuch(task, level))
-			task.m_maxLevel = attempt.m_next = mostLevel(task, level, level);
-		if (attempt.m_next != level)
-			break;
-		m_state.move(h);
-		for (int i = 0; i < island.m_numConstraints; ++i)
-			if (island.m_joints[i])
-				island.m_joints[i]->commitInside(1. / steps);
-		if (k + 1 == steps)
-		{
-			m_state.shiftFreeVelocities((h - dt) / 2);
-			m_state.finish(steps, m_motions);
-		}
-	}
-	m_impulses.restore();
-	return attempt;
+	++task.m_numSolutions;
+	++task.m_statistics.m_innerSteps;
+	const bool isBounded = task.m_settings.m_maxWork > 0;
+	task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / ahead, 1ll) : 0);
+}
+
+void InnerSteps::Run::add(const OpenShare& share, double error)
+{
+	btSetMax(m_open, share.getMendableShare());
+	btSetMax(m_doubted, share.getShare());
+	m_isLoaded = m_isLoaded || share.isLoaded();
+	m_calm = share.getShare() <= error * CALM_RUN_SHARE ? m_calm + 1 : 0;
+}
+
+/// Down to that level at which a blow is seen, once they have been calm for longer than what they resolve takes to swing.
+bool InnerSteps::mayBeLonger(const Task& task, const Run& run, btScalar longer)
+{
+	if (run.m_level <= BLOW_LEVEL || run.m_calm < CALM_RUN)
+		return false;
+	return run.m_calm >= PATIENCE * CALM_RUN || m_state.isJoinedShiftSmall(task.m_island, longer);
 }
 
 /// The work of all inner steps of a level, by the mean of those that the present attempt has solved so far. Shorter steps have a factor each, but fewer rows reach or leave
@@ -440,11 +501,13 @@ int InnerSteps::mostLevel(const Task& task, int from, int level) const
 	return level;
 }
 
-/// Whether a level takes far more than there is for it: what was right for the last step is not, since more is joined or touches.
-bool InnerSteps::isTooMuch(const Task& task, int level) const
+/// Whether an attempt takes far more than there is for it: what was right for the last step is not, since more is joined or touches.
+/// \param ahead  how many inner steps are left
+bool InnerSteps::isTooMuch(const Task& task, int ahead) const
 {
-	const double most = double(task.m_settings.m_maxInnerWork);
-	return task.getWorkOfAttempt() > LEAST_WORK_SHARE * most && expectWork(task, level, level) / 2 > most;
+	const double most = double(task.m_settings.m_maxInnerWork), work = task.getWorkOfAttempt(),
+				 expected = work * (1 + double(ahead) / task.m_numSolutions);
+	return work > LEAST_WORK_SHARE * most && expected / 2 > most;
 }
 
 /// The level of inner steps that what a step has left open asks for, as far as the settings let it have it.
@@ -466,12 +529,12 @@ void InnerSteps::remember(const Task& task, int level, const Attempt& attempt) c
 	const double error = task.m_settings.m_innerError, doubted = attempt.m_doubted;
 	const bool isCalm = attempt.m_open <= error * CALM_INNER_SHARE, isStill = doubted < error * NO_INNER_SHARE;
 	const int spare = doubted > 0 ? int(floor(0.5 * log2(btMax(error / (8 * doubted), 1.)))) : MOST_SPARE;
-	const int calm = isCalm ? btMin(rhythm.m_calm + 1, MOST_CALM_INNER_STEPS) : 0;
-	const bool isNew = calm <= 1 || (isStill && calm < CALM_INNER_STEPS);
+	const int calm = isCalm ? btMin(rhythm.m_calm + 1, PATIENCE * CALM_STEPS) : 0;
+	const bool isNew = calm <= 1 || (isStill && calm < CALM_STEPS);
 	rememberRinging(task, level, attempt, rhythm);
 	rhythm.m_level = static_cast<unsigned char>(level);
 	rhythm.m_spare = static_cast<unsigned char>(btMin(spare, isNew ? MOST_SPARE : int(rhythm.m_spare)));
-	rhythm.m_calm = static_cast<unsigned char>(isStill ? btMax(calm, CALM_INNER_STEPS) : calm);
+	rhythm.m_calm = static_cast<unsigned char>(isStill ? btMax(calm, CALM_STEPS) : calm);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
 			island.m_joints[i]->m_rhythm = rhythm;

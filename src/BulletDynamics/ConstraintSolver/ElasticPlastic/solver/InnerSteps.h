@@ -65,8 +65,9 @@ private:
 		long long m_workBefore;
 		int m_numSolutions;  ///< of the present attempt
 		int m_maxLevel;
-		InnerRhythm m_rhythm;  ///< before the step
-		double m_blow;         ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
+		InnerRhythm m_rhythm;   ///< before the step
+		double m_blow;          ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
+		btScalar m_longerFrom;  ///< the share of the step after which inner steps may become longer
 		/// When the present attempt began.
 		long long m_workAtBegin, m_factorsAtBegin;
 
@@ -87,17 +88,32 @@ private:
 		bool m_isTaut;                  ///< joints are taut that were not, see JointStep::foreseeTension()
 		bool m_isStruck;                ///< a blow has come within a step that is too long for any
 		bool m_isLong;                  ///< more has been left open than is allowed, whether it counts or not
-		int m_next;  ///< the level at which the island goes back and begins again; the same one: it is solved
+		bool m_isLeft;                  ///< the island goes back and begins again
+		int m_next;                     ///< the level at which it does, else the last one
+	};
+
+	/// Successive inner steps of one length.
+	struct Run
+	{
+		int m_level;
+		double m_open, m_doubted;  ///< as of an attempt
+		int m_calm;                ///< the last of them that have left little open
+		bool m_isLoaded;           ///< see OpenShare
+
+		void add(const OpenShare& share, double error);
 	};
 
 	bool isStruck(const Task& task, int level) const;
 	void take(Task& task, const JointRegistry& registry);
 	Attempt solveWhole(Task& task);
 	Attempt solveInner(Task& task, int level);
+	void setInnerLength(Task& task, btScalar before, int level);
+	static void solveInnerStep(Task& task, btScalar h, int ahead);
+	bool mayBeLonger(const Task& task, const Run& run, btScalar longer);
 	bool hasWorkForAnother(const Task& task) const;
 	double expectWork(const Task& task, int from, int level) const;
 	int mostLevel(const Task& task, int from, int level) const;
-	bool isTooMuch(const Task& task, int level) const;
+	bool isTooMuch(const Task& task, int ahead) const;
 	int refine(const Task& task, int level, const Attempt& attempt) const;
 	bool isRinging(const Task& task, const Attempt& attempt) const;
 	void findNext(Task& task, int level, Attempt& attempt) const;

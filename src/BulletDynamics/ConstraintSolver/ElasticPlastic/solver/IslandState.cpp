@@ -343,6 +343,16 @@ double IslandState::getTaken() const
 	return btMax(taken, 0.);
 }
 
+void IslandState::scaleImpulses(btScalar share)
+{
+	for (int i = 0; i < m_points.size(); ++i)
+	{
+		btScalar impulses[3];
+		impulsesOf(*m_points[i].m_point, impulses);
+		setImpulses(*m_points[i].m_point, impulses, share);
+	}
+}
+
 void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
 {
 	for (int i = 0; i < m_kinematic.size(); ++i)
@@ -365,9 +375,7 @@ void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
 	{
 		Point& point = m_points[i];
 		btManifoldPoint& p = *point.m_point;
-		if (isFirst)
-			setImpulses(p, point.m_impulse, h / m_dt);
-		else
+		if (!isFirst)
 		{
 			p.m_positionWorldOnA = point.m_objects[0]->getWorldTransform()(p.m_localPointA);
 			p.m_positionWorldOnB = point.m_objects[1]->getWorldTransform()(p.m_localPointB);

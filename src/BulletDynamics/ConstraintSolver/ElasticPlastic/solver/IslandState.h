@@ -58,6 +58,9 @@ public:
 	/// Of the bodies as they move now [J].
 	double getKineticEnergy() const;
 
+	/// Has contact points' impulses, with which a solution begins, be those of a longer or shorter step.
+	void scaleImpulses(btScalar share);
+
 	/// Before an inner step of h [s] is solved: contact points are where bodies have carried them. Normals stay as they were found.
 	/// What is to bounce does nothing until it touches: Bullet's row would bounce it off the gap, with what speed the gap leaves.
 	/// \param end         of the inner step, from the beginning [s]; kinematic bodies are put there

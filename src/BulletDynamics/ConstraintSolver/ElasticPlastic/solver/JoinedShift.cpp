@@ -4,6 +4,7 @@
 #include "JoinedShift.h"
 
 #include "../joint/BodyLoad.h"
+#include "../joint/Diagonal.h"
 #include "../joint/JointWorks.h"
 
 namespace btElasticPlastic
@@ -17,6 +18,20 @@ bool isChange(const JointWorks& joint, btScalar h)
 	const btScalar last = model.m_state.m_lastStep;
 	return last > 0 && btFabs(last - h) > btScalar(0.01) * btMin(last, h) && !model.m_state.m_broken &&
 		   !model.m_fault && model.m_constraint.isEnabled();
+}
+
+/// The mean force of a degree of freedom between the two times. A spring that steps resolve has that of the moment in the middle. One that
+/// they do not has come to rest within the last step, so that its rate tells how loads have changed and not how it moves: that has the mean force of
+/// the step, which is what has kept balance with the loads.
+/// \param A     of its row, see Diagonal
+/// \param time  between the two times [s]
+btScalar forceBetween(const JointModel& model, int dof, btScalar A, btScalar time)
+{
+	const btElasticPlasticState& state = model.m_state;
+	const btScalar before = (state.m_lastStep - time) / 2,
+				   moment = state.m_force[dof] - before * state.m_forceRate[dof],
+				   square = model.m_capacity.m_stiffness[dof] * A * btFabs(time) * before;  // of frequency times time
+	return square > 1 ? state.m_applied[dof] + (moment - state.m_applied[dof]) / square : moment;
 }
 
 /// By component what two loads have in common.
@@ -76,14 +91,17 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 {
 	const btElasticPlasticState& state = works.m_model.m_state;
-	const btScalar time = (state.m_lastStep - h) / 2, before = (state.m_lastStep + h) / 4;
+	const btScalar time = (state.m_lastStep - h) / 2;
 	Joint joint = {&works, {bodies[0], bodies[1]}, Kinematics(), btVector3(0, 0, 0), btVector3(0, 0, 0)};
 	works.m_model.measure(joint.m_kinematics);
+	const Diagonal diagonal(works.m_model.bodyA(), works.m_model.bodyB());
 	for (int k = 0; k < 3; ++k)
 	{
 		const btVector3& axis = joint.m_kinematics.m_axis[k];
-		joint.m_impulse += axis * (time * (state.m_force[k] - before * state.m_forceRate[k]));
-		joint.m_twist += axis * (time * (state.m_force[3 + k] - before * state.m_forceRate[3 + k]));
+		const btScalar along = diagonal.along(joint.m_kinematics.m_rA.cross(axis), joint.m_kinematics.m_rB.cross(axis)),
+					   about = diagonal.about(axis);
+		joint.m_impulse += axis * (time * forceBetween(works.m_model, k, along, time));
+		joint.m_twist += axis * (time * forceBetween(works.m_model, 3 + k, about, time));
 	}
 	for (int side = 0; side < 2; ++side)
 	{
