@@ -577,8 +577,8 @@ TEST(Snapshot, OfAnotherVersionOrPrecisionIsRefused)
 TEST(Snapshot, HasANewVersionForANewLayout)
 {
 	Collapse scene(Solver::Direct);
-	EXPECT_EQ(12, numberAt(save(scene.m_world), VERSION_AT));
-	const uint64_t layout = sizeof(btScalar) == sizeof(double) ? 9650796124632909022u : 11641589530694279086u;
+	EXPECT_EQ(13, numberAt(save(scene.m_world), VERSION_AT));
+	const uint64_t layout = sizeof(btScalar) == sizeof(double) ? 18318148567511537746u : 2931681103730256522u;
 	EXPECT_EQ(layout, btElasticPlastic::layoutOf<btElasticPlastic::WorldImage>());
 }
 
@@ -783,8 +783,8 @@ TEST(Snapshot, WhatNoJointCanBeIsRefused)
 		[&](JointImage& j) { j.m_lastBounds[0] = 2; },
 		[&](JointImage& j) { j.m_lastFibreBounds.assign(1000, 0); },
 		[&](JointImage& j) { j.m_lastFibreBounds.assign(1, -2); },
-		[&](JointImage& j) { j.m_innerLevel = 200; },
-		[&](JointImage& j) { j.m_innerRinging = std::numeric_limits<float>::quiet_NaN(); },
+		[&](JointImage& j) { j.m_state.m_innerRhythm.m_level = 200; },
+		[&](JointImage& j) { j.m_state.m_innerRhythm.m_ringing = std::numeric_limits<float>::quiet_NaN(); },
 		[&](JointImage& j) { j.m_numUncommitted = std::numeric_limits<int>::max(); },
 		[&](JointImage& j) { j.m_nextRequest = 3; }};
 	for (size_t i = 0; i < changes.size(); ++i)

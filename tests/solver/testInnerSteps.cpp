@@ -6,10 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletCollision/CollisionDispatch/btSimulationIslandManager.h"
+#include "BulletDynamics/ConstraintSolver/btConeTwistConstraint.h"
 #include "problems/Catalogue.h"
 #include "problems/PlanarBlocks.h"
 #include "scenes/HangingChain.h"
@@ -770,6 +772,174 @@ TEST(InnerSteps, BecomeLongerWithinAStepWhenTheBlowIsOver)
 	EXPECT_LT(outcome.error(), 0.02);
 	EXPECT_GT(taken, 256);
 	EXPECT_LT(taken, 4 * 256);
+}
+
+/// Three bodies in a row that fly freely, the first two joined, the last one not yet: what it is held or struck by is the test's.
+struct FreeRow
+{
+	World m_world{Solver::Direct, btVector3(0, 0, 0)};
+	btRigidBody* m_bodies[3];
+
+	explicit FreeRow(double strength, bool collides = false)
+	{
+		btCollisionShape* const cube = m_world.box(btVector3(btScalar(0.4), btScalar(0.4), btScalar(0.4)));
+		for (int i = 0; i < 3; ++i)
+			m_bodies[i] = m_world.body(10, cube, at(i), collides);
+		m_world.joint(*m_bodies[0], *m_bodies[1], at(0.5), evenCapacity(1e7, strength));
+		takeInnerSteps(m_world);
+	}
+
+	double energy() const
+	{
+		double sum = m_world.kineticEnergy();
+		for (const btElasticPlasticJoint* joint : m_world.joints())
+			sum += joint->getElasticEnergy();
+		return sum;
+	}
+
+	/// \return the most in a second, of what there is at the beginning
+	double largestGain(btScalar step)
+	{
+		const double first = energy();
+		double most = 0;
+		for (int i = 0; i < int(1 / step); ++i)
+		{
+			m_world.step(step);
+			most = std::max(most, energy() / first - 1);
+		}
+		return most;
+	}
+};
+
+TEST(InnerSteps, GoOnFromAStateThatIsPutBack)
+{
+	// As docs/games.md has it: bodies and the states of joints, without a snapshot.
+	FreeRow row(1e4);
+	row.m_world.joint(*row.m_bodies[1], *row.m_bodies[2], at(1.5), evenCapacity(1e7, 1e4));
+	row.m_bodies[2]->setLinearVelocity(btVector3(1, 3, 2));
+	row.m_bodies[0]->setAngularVelocity(btVector3(2, -1, 3));
+	run(row.m_world, 4);
+	struct Motion
+	{
+		btTransform place, interpolated;
+		btVector3 velocity, spin, interpolatedVelocity, interpolatedSpin;
+	} motions[3];
+	for (int i = 0; i < 3; ++i)
+	{
+		const btRigidBody& body = *row.m_bodies[i];
+		motions[i] = {
+			body.getWorldTransform(),  body.getInterpolationWorldTransform(), body.getLinearVelocity(),
+			body.getAngularVelocity(), body.getInterpolationLinearVelocity(), body.getInterpolationAngularVelocity()};
+	}
+	std::vector<btElasticPlasticState> states;
+	for (const btElasticPlasticJoint* joint : row.m_world.joints())
+		states.push_back(joint->getState());
+	EXPECT_GT(states[0].m_innerRhythm.m_level, 2);
+	std::vector<double> energies;
+	for (int i = 0; i < 10; ++i)
+	{
+		row.m_world.step(FRAME);
+		energies.push_back(row.energy());
+	}
+	for (int i = 0; i < 3; ++i)
+	{
+		btRigidBody& body = *row.m_bodies[i];
+		body.setWorldTransform(motions[i].place);
+		body.setInterpolationWorldTransform(motions[i].interpolated);
+		body.setLinearVelocity(motions[i].velocity);
+		body.setAngularVelocity(motions[i].spin);
+		body.setInterpolationLinearVelocity(motions[i].interpolatedVelocity);
+		body.setInterpolationAngularVelocity(motions[i].interpolatedSpin);
+		body.updateInertiaTensor();
+		body.clearForces();
+	}
+	const auto joints = row.m_world.joints();
+	for (size_t j = 0; j < joints.size(); ++j)
+		ASSERT_TRUE(joints[j]->setState(states[j]));
+	for (int i = 0; i < 10; ++i)
+	{
+		row.m_world.step(FRAME);
+		// Rounding of factors that are kept from step to step.
+		expectClose(energies[size_t(i)], row.energy(), byPrecision(1e-9, 1e-4));
+	}
+}
+
+TEST(InnerSteps, DoNotHurryConstraintsThatReduceErrorsThemselves)
+{
+	// The last body swings into the limit of a cone twist, or of a free direction of one of our joints, of which each reduces its error by a factor of its
+	// own. What a step of 1/60 s has left of that in a 32nd of its time would come out 32 times as fast.
+	long long innerSteps = 0;
+	for (const bool isOurs : {false, true})
+		for (const double limit : {0.02, 0.05, 0.1, 0.2, 0.3, 0.4})
+			for (const double spin : {0.5, 1., 2., 4., 8.})
+			{
+				FreeRow row(1e4);
+				std::unique_ptr<btConeTwistConstraint> cone;
+				if (isOurs)
+				{
+					btElasticPlasticJoint* const joint = row.m_world.joint(*row.m_bodies[1], *row.m_bodies[2], at(1.5),
+																		   evenCapacity(1e7, 1e4), JointClass::Spring);
+					row.m_world.release(*joint, BT_EP_BENDING_Z);
+					auto& sixDofs = static_cast<btGeneric6DofSpringConstraint&>(joint->getConstraint());
+					sixDofs.setLimit(5, btScalar(-limit), btScalar(limit));
+					sixDofs.setParam(BT_CONSTRAINT_STOP_ERP, btScalar(0.8), 5);
+				}
+				else
+				{
+					const btTransform ends[2] = {at(0.5), at(-0.5)};
+					cone.reset(new btConeTwistConstraint(*row.m_bodies[1], *row.m_bodies[2], ends[0], ends[1]));
+					cone->setLimit(btScalar(limit), btScalar(limit), btScalar(limit));
+					row.m_world.bullet().addConstraint(cone.get(), true);
+				}
+				row.m_bodies[2]->setAngularVelocity(btVector3(0, 0, btScalar(spin)));
+				row.m_bodies[2]->setLinearVelocity(btVector3(0, btScalar(spin / 2), 0));
+				EXPECT_LT(row.largestGain(FRAME), 1e-3)
+					<< "limit " << limit << ", spin " << spin << (isOurs ? ", ours" : "");
+				innerSteps += statisticsOf(row.m_world).m_innerSteps;
+				if (cone)
+				{
+					EXPECT_EQ(btScalar(0.3f), cone->getBiasFactor());
+					row.m_world.bullet().removeConstraint(cone.get());
+				}
+			}
+	EXPECT_GT(innerSteps, 1000);
+}
+
+bool reduceErrorsByMost(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+						const btCollisionObjectWrapper*, int, int)
+{
+	point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
+	point.m_contactERP = btScalar(0.8);
+	return false;
+}
+
+TEST(InnerSteps, DoNotHurryContactsThatReduceErrorsThemselves)
+{
+	// A body strikes the second of two joined ones to the side, where contacts have a factor of their own, or a stiffness. Of bodies that are turned against each
+	// other some are found deep.
+	const ContactAddedCallback before = gContactAddedCallback;
+	gContactAddedCallback = reduceErrorsByMost;
+	for (const bool isSpring : {false, true})
+		for (int i = 0; i < 40; ++i)
+		{
+			FreeRow row(1e5, true);
+			btRigidBody& striker = *row.m_bodies[2];
+			const double turn = 0.4 * i;
+			for (btRigidBody* body : row.m_bodies)
+			{
+				if (isSpring)
+					body->setContactStiffnessAndDamping(1e6, 10);
+				else
+					body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+			}
+			striker.setWorldTransform(
+				btTransform(btQuaternion(btVector3(1, btScalar(0.3), btScalar(0.2)).normalized(), btScalar(turn)),
+							btVector3(btScalar(0.8 + 0.01 * i), 1, 0)));
+			striker.setInterpolationWorldTransform(striker.getWorldTransform());
+			striker.setLinearVelocity(btVector3(0, btScalar(-1 - 0.7 * i), 0));
+			EXPECT_LT(row.largestGain(FRAME), 1e-3) << i << (isSpring ? ", stiffness" : "");
+		}
+	gContactAddedCallback = before;
 }
 
 TEST(InnerSteps, CostTheirIslandAlone)

@@ -11,7 +11,7 @@ namespace
 {
 using nlohmann::json;
 
-const int STATE_VERSION = 5;
+const int STATE_VERSION = 6;
 const char* const PRECISION = sizeof(btScalar) == sizeof(double) ? "double" : "float";
 
 /// What is read or written of a joint's state: one list for both directions.
@@ -32,6 +32,8 @@ void forEachNumber(State& s, Act act)
 		act(initial);
 	act(s.m_lastStep);
 	act(s.m_withheldStep);
+	for (auto& spin : s.m_spin)
+		act(spin);
 	act(s.m_work);
 	act(s.m_storedEnergy);
 	act(s.m_placeEnergy);
@@ -43,6 +45,10 @@ void forEachNumber(State& s, Act act)
 	act(s.m_passedLevels);
 	for (auto& strain : s.m_fibreStrain)
 		act(strain);
+	for (auto* number :
+		 {&s.m_innerRhythm.m_level, &s.m_innerRhythm.m_calm, &s.m_innerRhythm.m_spare, &s.m_innerRhythm.m_quiet})
+		act(*number);
+	act(s.m_innerRhythm.m_ringing);
 }
 
 /// The same of a fibre's state.

@@ -33,6 +33,7 @@ struct btElasticPlasticState
 		{};  ///< on bodies A and B in the last step, beside their weight: force [N], torque [N m], world axes
 	btScalar m_withheld[6] = {};       ///< drift that shorter steps still have to take back [m], [rad]
 	btScalar m_withheldStep = 0;       ///< length of the step that left it [s]
+	btScalar m_spin[2] = {};           ///< how fast the last step has turned bodies A and B at most [rad/s]
 	bool m_solvedExactly = false;      ///< the last step, by a solver that knows which rows are at a bound
 	btScalar m_applied[6] = {};        ///< mean force that was applied in the last substep [N], [N m]
 	btScalar m_appliedBefore[6] = {};  ///< in the one before it
@@ -57,6 +58,18 @@ struct btElasticPlasticState
 	btAlignedObjectArray<btElasticPlasticFibreState> m_fibres;
 	btScalar m_fibreStrain[3] =
 		{};  ///< elastic elongation and turns about y and z at the end of the last step [m], [rad]
+
+	/// In how many inner steps the joint's island has taken the last step (btElasticPlasticSolverSettings::m_innerError). Islands join and part;
+	/// their joints remember it.
+	struct InnerRhythm
+	{
+		unsigned char m_level = 0;  ///< 1 << m_level inner steps
+		unsigned char m_calm = 0;   ///< successive steps that have left little open
+		unsigned char m_spare =
+			0;  ///< by so many levels less they would all have left less than half of the error allowed
+		unsigned char m_quiet = 0;  ///< successive steps in which nothing has flowed, as far as they count
+		float m_ringing = 0;  ///< how fast joints have moved meanwhile, yield values times rates of deformation [W]
+	} m_innerRhythm;
 
 	/// Makes a degree of freedom free of force.
 	void forget(int dof)

@@ -7,6 +7,7 @@
 
 #include <initializer_list>
 
+#include "../../btElasticPlasticSolverSettings.h"
 #include "BodyGate.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "MaterialDamping.h"
@@ -213,10 +214,16 @@ btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 		const char* m_name;
 		btScalar m_value;
 	} steps[] = {{"the state's last step [s]", state.m_lastStep},
-				 {"the state's withheld step [s]", state.m_withheldStep}};
+				 {"the state's withheld step [s]", state.m_withheldStep},
+				 {"the state's spin of body A [rad/s]", state.m_spin[0]},
+				 {"the state's spin of body B [rad/s]", state.m_spin[1]},
+				 {"the state's rate of ringing [W]", btScalar(state.m_innerRhythm.m_ringing)}};
 	for (const auto& step : steps)
 		if (!canBeKept(step.m_value) || step.m_value < 0)
 			return btElasticPlasticFault(step.m_name, step.m_value, "finite and not negative");
+	if (state.m_innerRhythm.m_level > 30 ||
+		1 << state.m_innerRhythm.m_level > btElasticPlasticSolverSettings::MAX_INNER_STEPS)
+		return btElasticPlasticFault("the state's level of inner steps", state.m_innerRhythm.m_level, "0 to 12");
 	return btElasticPlasticFault();
 }
 

@@ -105,12 +105,23 @@ bool JointStep::evaluate(btScalar dt)
 	return true;
 }
 
+/// The most that bodies A and B leave at a joint in a step if they turn so fast.
+/// \param spin  [rad/s]
+JointStep::Drift JointStep::driftOf(const btScalar spin[2], btScalar dt) const
+{
+	const btScalar a = spin[0] * dt * spin[0] * dt, b = spin[1] * dt * spin[1] * dt;
+	return {a * m_kinematics.m_rA.length() + b * m_kinematics.m_rB.length(), a + b};
+}
+
 /// The strain that is measured is the law's, force over stiffness, and a drift: what the straight motion of a step has left beside
 /// it, as a body that turns about a joint leaves its circle by r (w dt)^2 / 2 in every step. At an even step the law takes the drift
 /// back with a part of the force that holds the body on its circle. A step that is shorter by a factor s would take all of it back
 /// in its shorter time, with 1 / s^2 times that force, and a stiff joint would yield at rest. So it meets s^2 of the drift, what it
 /// will leave itself. The rest is withheld, and each later step meets s^2 of what is left, until all of it has been taken back.
 /// What is more than turns leave is none: somebody has put a body elsewhere.
+///
+/// A step meets no more of it than its own turn will leave. Where a blow has stopped the turn no force holds bodies on a circle any more: to
+/// take the drift back would set them in motion, or wedge them between what they touch. It stays.
 void JointStep::withholdDrift()
 {
 	const btElasticPlasticState& state = m_model.m_state;
@@ -125,10 +136,10 @@ void JointStep::withholdDrift()
 	}
 	m_withheldStep = isShorter ? btMax(last, state.m_withheldStep) : state.m_withheldStep;
 	const btScalar met = m_withheldStep > m_dt ? m_dt / m_withheldStep * (m_dt / m_withheldStep) : btScalar(1);
-	const btScalar mostTurn = m_withheldStep * m_withheldStep * (m_spin0[0].length2() + m_spin0[1].length2()),
-				   mostWay = m_withheldStep * m_withheldStep *
-							 (m_spin0[0].length2() * m_kinematics.m_rA.length() +
-							  m_spin0[1].length2() * m_kinematics.m_rB.length());
+	// What turned then may have been stopped since.
+	const btScalar now[2] = {m_spin0[0].length(), m_spin0[1].length()},
+				   before[2] = {btMax(now[0], state.m_spin[0]), btMax(now[1], state.m_spin[1])};
+	const Drift left = driftOf(before, m_withheldStep), ahead = driftOf(now, m_dt);
 	bool isAnyLeft = false;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
@@ -136,13 +147,18 @@ void JointStep::withholdDrift()
 		const bool isBorne = m_model.isElasticPlastic(i);
 		if (isShorter && isBorne)
 		{
-			const btScalar most = i < 3 ? mostWay : mostTurn, strain = m_kinematics.m_strain[i];
+			// What was withheld before is so still, whatever has become of the turn that left it.
+			const btScalar most = btMax(i < 3 ? left.m_way : left.m_turn, btFabs(state.m_withheld[i])),
+						   strain = m_kinematics.m_strain[i];
 			// What rigid rows have left open has gathered over steps, each of which closes a part of it.
 			m_withheld[i] = m_model.m_capacity.isRigidPlastic(i)
 								? strain
 								: btClamped(strain - m_model.elasticDeformation(i), -most, most);
 		}
-		m_withheld[i] = isBorne ? m_withheld[i] * (1 - met) : btScalar(0);
+		btScalar isMet = isBorne ? m_withheld[i] * met : m_withheld[i];
+		if (isBorne && !m_model.m_capacity.isRigidPlastic(i))
+			isMet = btClamped(isMet, i < 3 ? -ahead.m_way : -ahead.m_turn, i < 3 ? ahead.m_way : ahead.m_turn);
+		m_withheld[i] -= isMet;
 		m_kinematics.m_strain[i] -= m_withheld[i];
 		isAnyLeft |= m_withheld[i] != 0;
 	}
@@ -408,6 +424,8 @@ void JointStep::setSolution(const double* impulses, const signed char* bounds)
 void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2])
 {
 	m_hasRecovery = true;
+	for (int side = 0; side < 2; ++side)
+		m_recoverySpin[side] = angular[side].length();
 	project(linear[0] + angular[0].cross(m_kinematics.m_rA) - linear[1] - angular[1].cross(m_kinematics.m_rB),
 			angular[0] - angular[1], m_recovery);
 }
@@ -889,6 +907,12 @@ int JointStep::commit(double share, bool isNew)
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		state.m_withheld[i] = m_withheld[i];
 	state.m_withheldStep = m_withheldStep;
+	for (int side = 0; side < 2; ++side)
+	{
+		const btRigidBody& body = side == 0 ? m_model.bodyA() : m_model.bodyB();
+		const btScalar spin = body.getAngularVelocity().length() + (m_hasRecovery ? m_recoverySpin[side] : btScalar(0));
+		state.m_spin[side] = btMin(spin, btScalar(BT_LARGE_FLOAT));
+	}
 	state.m_lastStep = m_dt;
 	for (int side = 0; side < 2; ++side)
 	{

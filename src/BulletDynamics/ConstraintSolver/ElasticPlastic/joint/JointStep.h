@@ -209,6 +209,13 @@ private:
 		btScalar m_coupling;    ///< compliance beside the diagonal, of both
 	};
 
+	/// Strain beside the law's [m], [rad].
+	struct Drift
+	{
+		btScalar m_way, m_turn;
+	};
+
+	Drift driftOf(const btScalar spin[2], btScalar dt) const;
 	void withholdDrift();
 	const btScalar* lastForce() const;
 	bool carriesWaves(int r, btScalar diagonal) const;
@@ -263,6 +270,7 @@ private:
 	btScalar m_tension[3] = {};            ///< along the joint's axes [N]
 	btScalar m_tensionDamping = 0;         ///< that the step is solved with, see TensionDamping::getSum()
 	btScalar m_recovery[BT_EP_DOF_COUNT];  ///< J times the motion of places beside velocities
+	btScalar m_recoverySpin[2];            ///< of that, how fast bodies A and B turn [rad/s]
 	btVector3 m_dampingImpulse;
 	btVector3 m_spin0[2];  ///< of A and of B at the start of the step [rad/s]
 	MaterialDamping m_damping;

@@ -6,7 +6,6 @@
 
 #include "../Prefetch.h"
 #include "EventQueue.h"
-#include "InnerRhythm.h"
 #include "JointStep.h"
 #include "Levels.h"
 #include "Separation.h"
@@ -215,7 +214,6 @@ public:
 	RegistryEntry m_entry;
 	Separation m_separation;
 	Levels m_levels;
-	InnerRhythm m_rhythm;
 	int m_islandId =
 		0;  ///< the id by which the direct form finds the kept factor of the joint's island; 0: none; less: not to be used
 

@@ -90,9 +90,7 @@ bool isSound(const JointImage& image)
 	return !capacity.fault() && dofs == image.m_dofs && !findNumberFault(image.m_state) &&
 		   image.m_state.m_fibres.size() == capacity.m_fibres.size() &&
 		   std::all_of(image.m_levels, image.m_levels + BT_EP_QUANTITY_COUNT, &Levels::isLevel) &&
-		   areBounds(image.m_lastBounds, image.m_lastFibreBounds, capacity) && image.m_innerLevel < 31 &&
-		   1 << image.m_innerLevel <= btElasticPlasticSolverSettings::MAX_INNER_STEPS &&
-		   btElasticPlasticIsFinite(image.m_innerRinging) && image.m_innerRinging >= 0 && image.m_numUncommitted >= 0 &&
+		   areBounds(image.m_lastBounds, image.m_lastFibreBounds, capacity) && image.m_numUncommitted >= 0 &&
 		   image.m_numUncommitted <= MOST_UNCOMMITTED && image.m_nextRequest >= 0 && image.m_nextRequest <= 2;
 }
 
@@ -207,11 +205,6 @@ void Snapshot::readJoint(const JointWorks& joint, JointImage& image) const
 	image.m_lastFibreBounds = joint.m_step.getLastFibreBounds();
 	image.m_numUncommitted = joint.getNumUncommitted();
 	image.m_nextRequest = joint.getNextRequest();
-	image.m_innerLevel = joint.m_rhythm.m_level;
-	image.m_innerCalm = joint.m_rhythm.m_calm;
-	image.m_innerSpare = joint.m_rhythm.m_spare;
-	image.m_innerQuiet = joint.m_rhythm.m_quiet;
-	image.m_innerRinging = joint.m_rhythm.m_ringing;
 	image.m_isSeparating = joint.m_separation.isUnderWay();
 	image.m_overlap = joint.m_separation.getOverlap();
 }
@@ -602,8 +595,6 @@ void Snapshot::writeRegistry(const WorldImage& image)
 			joint.m_step.setLastBound(dof, from.m_lastBounds[dof]);
 		joint.m_step.setLastFibreBounds(from.m_lastFibreBounds);
 		joint.resume(from.m_numUncommitted, from.m_nextRequest);
-		joint.m_rhythm = {from.m_innerLevel, from.m_innerCalm, from.m_innerSpare, from.m_innerQuiet,
-						  from.m_innerRinging};
 		if (!from.m_isRefused)
 			joint.m_model.m_refused = btElasticPlasticFault();
 		else if (!joint.m_model.m_refused)

@@ -88,6 +88,7 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 		transfer(archive, state.m_load[side]);
 	transfer(archive, state.m_withheld);
 	archive(state.m_withheldStep);
+	transfer(archive, state.m_spin);
 	archive(state.m_solvedExactly);
 	transfer(archive, state.m_applied);
 	transfer(archive, state.m_appliedBefore);
@@ -104,6 +105,10 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	archive(state.m_supportDigest);
 	transferList(archive, state.m_fibres);
 	transfer(archive, state.m_fibreStrain);
+	for (unsigned char* number : {&state.m_innerRhythm.m_level, &state.m_innerRhythm.m_calm,
+								  &state.m_innerRhythm.m_spare, &state.m_innerRhythm.m_quiet})
+		archive(*number);
+	archive(state.m_innerRhythm.m_ringing);
 }
 
 template <class Archive>
@@ -160,8 +165,6 @@ struct JointImage
 	signed char m_lastBounds[BT_EP_DOF_COUNT] = {};
 	std::vector<signed char> m_lastFibreBounds;
 	int m_numUncommitted = 0, m_nextRequest = 0;
-	unsigned char m_innerLevel = 0, m_innerCalm = 0, m_innerSpare = 0, m_innerQuiet = 0;  ///< InnerRhythm
-	float m_innerRinging = 0;                                                             ///< the same
 	bool m_isSeparating = false;
 	btScalar m_overlap = 0;
 };
@@ -195,11 +198,6 @@ void transfer(Archive& archive, JointImage& image, btElasticPlasticState& state,
 	transferNumbers(archive, image.m_lastFibreBounds);
 	archive(image.m_numUncommitted);
 	archive(image.m_nextRequest);
-	archive(image.m_innerLevel);
-	archive(image.m_innerCalm);
-	archive(image.m_innerSpare);
-	archive(image.m_innerQuiet);
-	archive(image.m_innerRinging);
 	archive(image.m_isSeparating);
 	if (image.m_isSeparating)
 		archive(image.m_overlap);

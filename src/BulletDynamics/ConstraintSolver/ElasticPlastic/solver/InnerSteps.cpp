@@ -64,13 +64,13 @@ int levelOf(int steps)
 }
 
 /// What the joints remember: islands may have joined since.
-InnerRhythm rhythmOf(const SolverGroup& island)
+btElasticPlasticState::InnerRhythm rhythmOf(const SolverGroup& island)
 {
-	InnerRhythm rhythm = {0, 255, 255, 255, 0};
+	btElasticPlasticState::InnerRhythm rhythm = {0, 255, 255, 255, 0};
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
 		{
-			const InnerRhythm& joint = island.m_joints[i]->m_rhythm;
+			const btElasticPlasticState::InnerRhythm& joint = island.m_joints[i]->m_model.m_state.m_innerRhythm;
 			btSetMax(rhythm.m_level, joint.m_level);
 			btSetMin(rhythm.m_calm, joint.m_calm);
 			btSetMin(rhythm.m_spare, joint.m_spare);
@@ -260,6 +260,8 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 	m_state.begin(island, task.m_info.m_timeStep, registry);
 	task.m_rhythm = rhythmOf(island);
 	task.m_blow = task.m_rhythm.m_quiet > 0 ? m_state.getEnergyOfBlow() : 0;
+	if (m_state.hasSpringContact())
+		task.m_maxLevel = 0;
 	int level = beginLevel(task);
 	if (m_state.hasBounceAhead(task.m_info.m_restitutionVelocityThreshold))
 		btSetMax(level, BOUNCE_LEVEL);
@@ -416,12 +418,12 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		const bool fits = left > 0 && left % (2 * parts) == 0 && task.m_longerFrom * all <= all - left;
 		if (fits && mayBeLonger(task, run, 2 * h))
 		{
-			m_impulses.restore();
+			m_parameters.restore();
 			run = {run.m_level - 1, 0, 0, 0, false};
 			setInnerLength(task, h, run.m_level);
 		}
 	}
-	m_impulses.restore();
+	m_parameters.restore();
 	if (attempt.m_isLeft)
 		return attempt;
 	attempt.m_open = open;
@@ -438,8 +440,8 @@ void InnerSteps::setInnerLength(Task& task, btScalar before, int level)
 	const btScalar share = 1 / btScalar(1 << level), h = task.m_info.m_timeStep * share;
 	m_state.shiftFreeVelocities((before - h) / 2);
 	m_state.shiftJoinedVelocities(task.m_island, h);
-	m_state.scaleImpulses(h / before);
-	m_impulses.scale(task.m_island, share);
+	m_state.scalePoints(h / before);
+	m_parameters.scale(task.m_island, share);
 }
 
 /// \param ahead  how many such steps are left, with it
@@ -537,7 +539,7 @@ void InnerSteps::remember(const Task& task, int level, const Attempt& attempt) c
 	rhythm.m_calm = static_cast<unsigned char>(isStill ? btMax(calm, CALM_STEPS) : calm);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
-			island.m_joints[i]->m_rhythm = rhythm;
+			island.m_joints[i]->m_model.m_state.m_innerRhythm = rhythm;
 }
 
 /// In whole steps that leave little open the ringing is over.

@@ -6,10 +6,9 @@
 
 #include "../../btElasticPlasticSolverSettings.h"
 #include "../../btElasticPlasticStatistics.h"
-#include "../joint/InnerRhythm.h"
 #include "../joint/OpenShare.h"
 #include "IslandState.h"
-#include "StepImpulses.h"
+#include "StepParameters.h"
 
 struct btContactSolverInfo;
 
@@ -54,6 +53,8 @@ public:
 			   Solution& solution);
 
 private:
+	typedef btElasticPlasticState::InnerRhythm InnerRhythm;
+
 	/// Of the island and step at work.
 	struct Task
 	{
@@ -123,7 +124,7 @@ private:
 	void rememberRinging(const Task& task, int level, const Attempt& attempt, InnerRhythm& rhythm) const;
 
 	IslandState m_state;
-	StepImpulses m_impulses;
+	StepParameters m_parameters;
 	std::vector<BodyMotion> m_motions;
 };
 }  // namespace btElasticPlastic

@@ -36,6 +36,11 @@ btScalar* impulsesOf(btManifoldPoint& point, btScalar* impulses)
 	return impulses;
 }
 
+bool hasOwnErp(const btManifoldPoint& point)
+{
+	return (point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) != 0;
+}
+
 void setImpulses(btManifoldPoint& point, const btScalar* impulses, btScalar share)
 {
 	point.m_appliedImpulse = impulses[0] * share;
@@ -114,6 +119,7 @@ void IslandState::addBodies(const SolverGroup& island)
 void IslandState::addPoints(const SolverGroup& island)
 {
 	m_points.resizeNoInitialize(0);
+	m_hasSpringContact = false;
 	for (int m = 0; m < island.m_numManifolds; ++m)
 	{
 		btPersistentManifold& manifold = *island.m_manifolds[m];
@@ -131,8 +137,10 @@ void IslandState::addPoints(const SolverGroup& island)
 		{
 			btManifoldPoint& p = manifold.getContactPoint(i);
 			Point point = {&p,        {objects[0], objects[1]}, {bodies[0], bodies[1]}, p.m_distance1,
-						   {0, 0, 0}, p.m_positionWorldOnA,     p.m_positionWorldOnB,   {0, 0, 0}};
+						   {0, 0, 0}, p.m_positionWorldOnA,     p.m_positionWorldOnB,   p.m_contactERP,
+						   {0, 0, 0}};
 			impulsesOf(p, point.m_impulse);
+			m_hasSpringContact |= (p.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
 			m_points.push_back(point);
 		}
 	}
@@ -166,6 +174,8 @@ void IslandState::restore()
 		point.m_point->m_positionWorldOnB = point.m_onB;
 		point.m_point->m_distance1 = point.m_distance;
 		setImpulses(*point.m_point, point.m_impulse, 1);
+		if (hasOwnErp(*point.m_point))
+			point.m_point->m_contactERP = point.m_erp;
 		for (btScalar& sum : point.m_sum)
 			sum = 0;
 	}
@@ -343,13 +353,16 @@ double IslandState::getTaken() const
 	return btMax(taken, 0.);
 }
 
-void IslandState::scaleImpulses(btScalar share)
+void IslandState::scalePoints(btScalar share)
 {
 	for (int i = 0; i < m_points.size(); ++i)
 	{
+		btManifoldPoint& point = *m_points[i].m_point;
 		btScalar impulses[3];
-		impulsesOf(*m_points[i].m_point, impulses);
-		setImpulses(*m_points[i].m_point, impulses, share);
+		impulsesOf(point, impulses);
+		setImpulses(point, impulses, share);
+		if (hasOwnErp(point))
+			point.m_contactERP *= share;
 	}
 }
 
@@ -477,7 +490,11 @@ void IslandState::finish(int steps, std::vector<BodyMotion>& motions)
 		motions.push_back(motion);
 	}
 	for (int i = 0; i < m_points.size(); ++i)
+	{
 		setImpulses(*m_points[i].m_point, m_points[i].m_sum, 1);
+		if (hasOwnErp(*m_points[i].m_point))
+			m_points[i].m_point->m_contactERP = m_points[i].m_erp;
+	}
 	releaseKinematicBodies();
 }
 

@@ -46,6 +46,10 @@ public:
 	/// Whether that would be a small part of the velocities there are, or of those for which joints hold the energy.
 	bool isJoinedShiftSmall(const SolverGroup& island, btScalar h);
 
+	/// Whether a contact has a stiffness of its own. As deep as a long step has let it come, a spring would give back in short ones what nobody has
+	/// put into it.
+	bool hasSpringContact() const { return m_hasSpringContact; }
+
 	/// Whether something that is still apart at the beginning is to meet within the step at a speed at which it bounces.
 	bool hasBounceAhead(btScalar leastSpeed) const;
 
@@ -58,8 +62,9 @@ public:
 	/// Of the bodies as they move now [J].
 	double getKineticEnergy() const;
 
-	/// Has contact points' impulses, with which a solution begins, be those of a longer or shorter step.
-	void scaleImpulses(btScalar share);
+	/// Has contact points' impulses, with which a solution begins, and their own factors of error reduction be those of a step that is as many
+	/// times as long.
+	void scalePoints(btScalar share);
 
 	/// Before an inner step of h [s] is solved: contact points are where bodies have carried them. Normals stay as they were found.
 	/// What is to bounce does nothing until it touches: Bullet's row would bounce it off the gap, with what speed the gap leaves.
@@ -101,6 +106,7 @@ private:
 		int m_bodies[2];                    ///< of m_bodies, -1: none of them
 		btScalar m_distance, m_impulse[3];  ///< at the beginning; normal and lateral
 		btVector3 m_onA, m_onB;
+		btScalar m_erp;     ///< of its own, where it has one
 		btScalar m_sum[3];  ///< of impulses over the inner steps
 	};
 	struct Joint
@@ -126,6 +132,7 @@ private:
 	btAlignedObjectArray<Joint> m_joints;
 	btAlignedObjectArray<btTypedConstraint*> m_enabled;  ///< constraints
 	JoinedShift m_joinedShift;
+	bool m_hasSpringContact = false;
 	bool m_isHeld = false;                   ///< by a constraint with what does not move freely
 	btAlignedObjectArray<bool> m_isTouched;  ///< by body, in the last inner step
 };
