@@ -20,13 +20,13 @@ const int BOUNCE_LEVEL = 3;
 /// 1 << this many where something strikes a structure, at the least: in a longer step all of it is struck at once.
 const int BLOW_LEVEL = 5;
 /// The number of successive steps that have to leave little open before inner steps become half as many.
-const int CALM_STEPS = 6;
+const int CALM_WORLD_STEPS = 6;
 /// They need not be more than have so many inner steps.
 const int ENOUGH_CALM_INNER_STEPS = 192;
 /// The same of inner steps before those to come within the step become twice as long: of a swing that they resolve it is more than one.
 const int CALM_RUN = 16;
 /// After so many times the number they do whatever the moment.
-const int PATIENCE = 4;
+const int CALM_PATIENCE = 4;
 /// Below this share of the error allowed an inner step of a run has left little open: what each of many leaves adds up.
 const double CALM_RUN_SHARE = 1. / 128;
 /// Levels that may become less at once.
@@ -301,12 +301,12 @@ int InnerSteps::beginLevel(Task& task)
 	const InnerRhythm& rhythm = task.m_rhythm;
 	if (rhythm.m_level > 0 && rhythm.m_quiet >= QUIET_STEPS)
 		return rhythm.m_level - 1;
-	const int calm = btMax(1, btMin(CALM_STEPS, ENOUGH_CALM_INNER_STEPS >> rhythm.m_level));
+	const int calm = btMax(1, btMin(CALM_WORLD_STEPS, ENOUGH_CALM_INNER_STEPS >> rhythm.m_level));
 	if (rhythm.m_level == 0 || rhythm.m_calm < calm)
 		return rhythm.m_level;
 	const int level = btMax(rhythm.m_level - btMax(int(rhythm.m_spare), 1), 0);
 	const btScalar longer = task.m_info.m_timeStep / btScalar(1 << level);
-	if (rhythm.m_calm < PATIENCE * calm && !m_state.isJoinedShiftSmall(island, longer))
+	if (rhythm.m_calm < CALM_PATIENCE * calm && !m_state.isJoinedShiftSmall(island, longer))
 		return rhythm.m_level;
 	task.m_rhythm.m_calm = 0;
 	return level;
@@ -340,7 +340,7 @@ bool InnerSteps::isRinging(const Task& task, const Attempt& attempt) const
 }
 
 /// Of what a step has left open, as far as it counts, follows the level of the next attempt.
-void InnerSteps::findNext(Task& task, int level, Attempt& attempt) const
+void InnerSteps::findNext(const Task& task, int level, Attempt& attempt) const
 {
 	attempt.m_isLong = attempt.m_open > task.m_settings.m_innerError;
 	if (isRinging(task, attempt))
@@ -384,17 +384,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		left -= parts;
 		m_state.carry(dt * btScalar(all - left) / btScalar(all), h, task.m_info.m_restitutionVelocityThreshold);
 		solveInnerStep(task, h, ahead);
-		const OpenShare share = measure(island, h, dt, attempt.m_flows);
-		btSetMax(attempt.m_power, share.getPower());
-		btSetMax(attempt.m_yieldEnergy, share.getYieldEnergy());
-		run.add(share, task.m_settings.m_innerError);
-		attempt.m_isStruck = isStruck(task, run.m_level);
-		attempt.m_open = run.m_open;
-		attempt.m_doubted = run.m_doubted;
-		// What stays clear of yield asks for no shorter steps.
-		if (!run.m_isLoaded)
-			limit(attempt, task.m_settings.m_innerError);
-		findNext(task, run.m_level, attempt);
+		judge(task, h, run, attempt);
 		btSetMax(open, attempt.m_open);
 		btSetMax(doubted, attempt.m_doubted);
 		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
@@ -434,6 +424,22 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	return attempt;
 }
 
+/// Looks at what an inner step has left open.
+void InnerSteps::judge(const Task& task, btScalar h, Run& run, Attempt& attempt) const
+{
+	const OpenShare share = measure(task.m_island, h, task.m_info.m_timeStep, attempt.m_flows);
+	run.add(share, task.m_settings.m_innerError);
+	btSetMax(attempt.m_power, share.getPower());
+	btSetMax(attempt.m_yieldEnergy, share.getYieldEnergy());
+	attempt.m_isStruck = isStruck(task, run.m_level);
+	attempt.m_open = run.m_open;
+	attempt.m_doubted = run.m_doubted;
+	// What stays clear of yield asks for no shorter steps.
+	if (!run.m_isLoaded)
+		limit(attempt, task.m_settings.m_innerError);
+	findNext(task, run.m_level, attempt);
+}
+
 /// Velocities that belong to steps of one length come to belong to those of a level.
 void InnerSteps::setInnerLength(Task& task, btScalar before, int level)
 {
@@ -471,7 +477,7 @@ bool InnerSteps::mayBeLonger(const Task& task, const Run& run, btScalar longer)
 {
 	if (run.m_level <= BLOW_LEVEL || run.m_calm < CALM_RUN)
 		return false;
-	return run.m_calm >= PATIENCE * CALM_RUN || m_state.isJoinedShiftSmall(task.m_island, longer);
+	return run.m_calm >= CALM_PATIENCE * CALM_RUN || m_state.isJoinedShiftSmall(task.m_island, longer);
 }
 
 /// The work of all inner steps of a level, by the mean of those that the present attempt has solved so far. Shorter steps have a factor each, but fewer rows reach or leave
@@ -531,12 +537,12 @@ void InnerSteps::remember(const Task& task, int level, const Attempt& attempt) c
 	const double error = task.m_settings.m_innerError, doubted = attempt.m_doubted;
 	const bool isCalm = attempt.m_open <= error * CALM_INNER_SHARE, isStill = doubted < error * NO_INNER_SHARE;
 	const int spare = doubted > 0 ? int(floor(0.5 * log2(btMax(error / (8 * doubted), 1.)))) : MOST_SPARE;
-	const int calm = isCalm ? btMin(rhythm.m_calm + 1, PATIENCE * CALM_STEPS) : 0;
-	const bool isNew = calm <= 1 || (isStill && calm < CALM_STEPS);
+	const int calm = isCalm ? btMin(rhythm.m_calm + 1, CALM_PATIENCE * CALM_WORLD_STEPS) : 0;
+	const bool isNew = calm <= 1 || (isStill && calm < CALM_WORLD_STEPS);
 	rememberRinging(task, level, attempt, rhythm);
 	rhythm.m_level = static_cast<unsigned char>(level);
 	rhythm.m_spare = static_cast<unsigned char>(btMin(spare, isNew ? MOST_SPARE : int(rhythm.m_spare)));
-	rhythm.m_calm = static_cast<unsigned char>(isStill ? btMax(calm, CALM_STEPS) : calm);
+	rhythm.m_calm = static_cast<unsigned char>(isStill ? btMax(calm, CALM_WORLD_STEPS) : calm);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
 			island.m_joints[i]->m_model.m_state.m_innerRhythm = rhythm;

@@ -22,7 +22,8 @@ namespace btElasticPlastic
 /// their mean velocity for Bullet to move, and the joints' action puts them where the inner steps have ended (BodyMotion).
 ///
 /// An island begins with as many inner steps as it had in the last step, and halves them when little has been left open for a while,
-/// at a moment when velocities hardly depend on the step: else each change would take some energy out of an oscillation. One that needs none is solved as if there were none, to the bit.
+/// at a moment when velocities hardly depend on the step: else each change would take some energy out of an oscillation. While they are many it does
+/// so within the step. One that needs none is solved as if there were none, to the bit.
 class InnerSteps
 {
 public:
@@ -110,6 +111,7 @@ private:
 	Attempt solveInner(Task& task, int level);
 	void setInnerLength(Task& task, btScalar before, int level);
 	static void solveInnerStep(Task& task, btScalar h, int ahead);
+	void judge(const Task& task, btScalar h, Run& run, Attempt& attempt) const;
 	bool mayBeLonger(const Task& task, const Run& run, btScalar longer);
 	bool hasWorkForAnother(const Task& task) const;
 	double expectWork(const Task& task, int from, int level) const;
@@ -117,7 +119,7 @@ private:
 	bool isTooMuch(const Task& task, int ahead) const;
 	int refine(const Task& task, int level, const Attempt& attempt) const;
 	bool isRinging(const Task& task, const Attempt& attempt) const;
-	void findNext(Task& task, int level, Attempt& attempt) const;
+	void findNext(const Task& task, int level, Attempt& attempt) const;
 	static void limit(Attempt& attempt, double error);
 	int beginLevel(Task& task);
 	void remember(const Task& task, int level, const Attempt& attempt) const;
