@@ -144,21 +144,17 @@ void JointStep::withholdDrift()
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
 		m_withheld[i] = state.m_withheld[i];
-		const bool isBorne = m_model.isElasticPlastic(i);
+		const bool isBorne = m_model.isElasticPlastic(i), isRigid = m_model.m_capacity.isRigidPlastic(i);
 		if (isShorter && isBorne)
 		{
 			// What was withheld before is so still, whatever has become of the turn that left it.
-			const btScalar most = btMax(i < 3 ? left.m_way : left.m_turn, btFabs(state.m_withheld[i])),
-						   strain = m_kinematics.m_strain[i];
+			const btScalar most = btMax(left.of(i), btFabs(state.m_withheld[i])), strain = m_kinematics.m_strain[i];
 			// What rigid rows have left open has gathered over steps, each of which closes a part of it.
-			m_withheld[i] = m_model.m_capacity.isRigidPlastic(i)
-								? strain
-								: btClamped(strain - m_model.elasticDeformation(i), -most, most);
+			m_withheld[i] = isRigid ? strain : btClamped(strain - m_model.elasticDeformation(i), -most, most);
 		}
-		btScalar isMet = isBorne ? m_withheld[i] * met : m_withheld[i];
-		if (isBorne && !m_model.m_capacity.isRigidPlastic(i))
-			isMet = btClamped(isMet, i < 3 ? -ahead.m_way : -ahead.m_turn, i < 3 ? ahead.m_way : ahead.m_turn);
-		m_withheld[i] -= isMet;
+		const btScalar share = m_withheld[i] * met,
+					   taken = isRigid ? share : btClamped(share, -ahead.of(i), ahead.of(i));
+		m_withheld[i] = isBorne ? m_withheld[i] - taken : btScalar(0);
 		m_kinematics.m_strain[i] -= m_withheld[i];
 		isAnyLeft |= m_withheld[i] != 0;
 	}
@@ -907,16 +903,12 @@ int JointStep::commit(double share, bool isNew)
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		state.m_withheld[i] = m_withheld[i];
 	state.m_withheldStep = m_withheldStep;
+	state.m_lastStep = m_dt;
 	for (int side = 0; side < 2; ++side)
 	{
 		const btRigidBody& body = side == 0 ? m_model.bodyA() : m_model.bodyB();
 		const btScalar spin = body.getAngularVelocity().length() + (m_hasRecovery ? m_recoverySpin[side] : btScalar(0));
 		state.m_spin[side] = btMin(spin, btScalar(BT_LARGE_FLOAT));
-	}
-	state.m_lastStep = m_dt;
-	for (int side = 0; side < 2; ++side)
-	{
-		const btRigidBody& body = side == 0 ? m_model.bodyA() : m_model.bodyB();
 		const btVector3 force = forceBesideWeight(body);
 		for (int k = 0; k < 3; ++k)
 		{

@@ -213,6 +213,8 @@ private:
 	struct Drift
 	{
 		btScalar m_way, m_turn;
+
+		btScalar of(int dof) const { return dof < 3 ? m_way : m_turn; }
 	};
 
 	Drift driftOf(const btScalar spin[2], btScalar dt) const;

@@ -374,7 +374,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	m_state.saveJoints(island);
 	setInnerLength(task, dt, level);
 	Attempt attempt = {};
-	Run run = {level, 0, 0, 0, false};
+	Run run(level);
 	double open = 0, doubted = 0;
 	int steps = 0;
 	for (int left = all; left > 0; ++steps)
@@ -409,7 +409,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		if (fits && mayBeLonger(task, run, 2 * h))
 		{
 			m_parameters.restore();
-			run = {run.m_level - 1, 0, 0, 0, false};
+			run = Run(run.m_level - 1);
 			setInnerLength(task, h, run.m_level);
 		}
 	}

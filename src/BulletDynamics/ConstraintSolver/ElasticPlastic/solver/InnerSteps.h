@@ -98,10 +98,11 @@ private:
 	struct Run
 	{
 		int m_level;
-		double m_open, m_doubted;  ///< as of an attempt
-		int m_calm;                ///< the last of them that have left little open
-		bool m_isLoaded;           ///< see OpenShare
+		double m_open = 0, m_doubted = 0;  ///< as of an attempt
+		int m_calm = 0;                    ///< the last of them that have left little open
+		bool m_isLoaded = false;           ///< see OpenShare
 
+		explicit Run(int level) : m_level(level) {}
 		void add(const OpenShare& share, double error);
 	};
 

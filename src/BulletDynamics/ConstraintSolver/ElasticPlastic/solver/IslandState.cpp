@@ -173,9 +173,7 @@ void IslandState::restore()
 		point.m_point->m_positionWorldOnA = point.m_onA;
 		point.m_point->m_positionWorldOnB = point.m_onB;
 		point.m_point->m_distance1 = point.m_distance;
-		setImpulses(*point.m_point, point.m_impulse, 1);
-		if (hasOwnErp(*point.m_point))
-			point.m_point->m_contactERP = point.m_erp;
+		leave(point, point.m_impulse);
 		for (btScalar& sum : point.m_sum)
 			sum = 0;
 	}
@@ -353,6 +351,14 @@ double IslandState::getTaken() const
 	return btMax(taken, 0.);
 }
 
+/// Gives a point impulses of the whole step, and back the factor that it has for one.
+void IslandState::leave(const Point& point, const btScalar* impulses)
+{
+	setImpulses(*point.m_point, impulses, 1);
+	if (hasOwnErp(*point.m_point))
+		point.m_point->m_contactERP = point.m_erp;
+}
+
 void IslandState::scalePoints(btScalar share)
 {
 	for (int i = 0; i < m_points.size(); ++i)
@@ -490,11 +496,7 @@ void IslandState::finish(int steps, std::vector<BodyMotion>& motions)
 		motions.push_back(motion);
 	}
 	for (int i = 0; i < m_points.size(); ++i)
-	{
-		setImpulses(*m_points[i].m_point, m_points[i].m_sum, 1);
-		if (hasOwnErp(*m_points[i].m_point))
-			m_points[i].m_point->m_contactERP = m_points[i].m_erp;
-	}
+		leave(m_points[i], m_points[i].m_sum);
 	releaseKinematicBodies();
 }
 

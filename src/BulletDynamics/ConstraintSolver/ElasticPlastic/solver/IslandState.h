@@ -119,6 +119,7 @@ private:
 	void addPoints(const SolverGroup& island);
 	void addKinematic(btRigidBody& body);
 	void bookWork(const Point& point);
+	static void leave(const Point& point, const btScalar* impulses);
 	void findTouched();
 	bool findJoinedShift(const SolverGroup& island, btScalar h);
 	bool isAnyTouched() const;
