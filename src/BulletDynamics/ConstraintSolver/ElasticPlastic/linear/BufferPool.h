@@ -16,6 +16,9 @@ namespace btElasticPlastic
 class BufferPool
 {
 public:
+	/// Makes a buffer whose memory the system has given when it is taken for the first time.
+	void reserve(size_t size) { m_free.emplace_back(size); }
+
 	/// \param buffer  gets at least so many numbers, which mean nothing
 	void take(size_t size, std::vector<double>& buffer)
 	{

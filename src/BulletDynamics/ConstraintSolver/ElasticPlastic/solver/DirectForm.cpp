@@ -633,8 +633,7 @@ void DirectForm::recover(bool isSolved, const SolverPools& pools, const btContac
 void DirectForm::solveAround(const SolverPools& pools, const btContactSolverInfo& info,
 							 const SweptRows::RowSolvers& rowSolvers)
 {
-	m_asked.reserve(m_input.m_rows.capacity());
-	m_asked = m_input.m_rows;
+	m_asked.read(m_input);
 	const int sweeps = btMax(info.m_numIterations, 1),
 			  between = m_solverBodies.size() > System::FEW_BODIES ? SWEEPS_A_SOLUTION : SWEEPS_WITH_FEW;
 	bool isSolved = true;

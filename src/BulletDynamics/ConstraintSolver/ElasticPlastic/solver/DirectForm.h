@@ -5,6 +5,7 @@
 #define BT_ELASTIC_PLASTIC_DIRECT_FORM_H
 
 #include "../joint/JointWorks.h"
+#include "Jacobian.h"
 #include "Recovery.h"
 #include "SolverPools.h"
 #include "Structures.h"
@@ -118,14 +119,14 @@ private:
 	bool m_sweepsContacts = false;
 	SweptRows m_swept;
 	Structures m_structures;
-	btAlignedObjectArray<int> m_numSupports;    ///< contacts that hold a structure, by its body
-	btAlignedObjectArray<bool> m_isLoose;       ///< by body in the system: nothing holds it but contacts
-	btAlignedObjectArray<bool> m_isLoaded;      ///< by body in the system: something loose and heavy lies on it
-	btAlignedObjectArray<int> m_solverBodies;   ///< of each body in the system
-	std::vector<SystemInput::Bounded> m_asked;  ///< the system's rows before swept rows have given anything
-	std::vector<double> m_byOthers;             ///< by body, 6 doubles: change of velocity that swept rows have given
-	std::vector<char> m_isChanged;              ///< by body: they have given since the last solution
-	std::vector<double> m_written;              ///< change of velocity as the bodies had it after the last solution
+	btAlignedObjectArray<int> m_numSupports;   ///< contacts that hold a structure, by its body
+	btAlignedObjectArray<bool> m_isLoose;      ///< by body in the system: nothing holds it but contacts
+	btAlignedObjectArray<bool> m_isLoaded;     ///< by body in the system: something loose and heavy lies on it
+	btAlignedObjectArray<int> m_solverBodies;  ///< of each body in the system
+	AskedRows m_asked;                         ///< before swept rows have given anything
+	std::vector<double> m_byOthers;            ///< by body, 6 doubles: change of velocity that swept rows have given
+	std::vector<char> m_isChanged;             ///< by body: they have given since the last solution
+	std::vector<double> m_written;             ///< change of velocity as the bodies had it after the last solution
 };
 }  // namespace btElasticPlastic
 

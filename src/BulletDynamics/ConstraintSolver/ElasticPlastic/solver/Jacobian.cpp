@@ -87,7 +87,7 @@ void project(const SystemInput& input, const std::vector<double>& velocity, std:
 }
 
 void takeFromTargets(SystemInput& input, const std::vector<double>& velocity, const std::vector<char>& isChanged,
-					 const std::vector<SystemInput::Bounded>& rows)
+					 const AskedRows& asked)
 {
 	const auto hasChanged = [&](int body) { return body >= 0 && isChanged[size_t(body)] != 0; };
 	std::vector<double> along;
@@ -100,15 +100,27 @@ void takeFromTargets(SystemInput& input, const std::vector<double>& velocity, co
 		for (int r = 0; r < unit.m_numRows; ++r)
 		{
 			const size_t i = size_t(unit.m_firstRow + r);
-			input.m_rows[i].m_target = rows[i].m_target - along[size_t(r)];
+			input.m_rows[i].m_target = asked.m_targets[i] - along[size_t(r)];
 		}
 	}
-	for (const SystemInput::SingleRow& row : input.m_singleRows)
+	for (size_t i = 0; i < input.m_singleRows.size(); ++i)
 	{
-		const size_t i = size_t(row.m_row);
-		input.m_rows[i] = rows[i];
-		input.m_rows[i].m_target -= projectRow(row, velocity);
+		const SystemInput::SingleRow& row = input.m_singleRows[i];
+		SystemInput::Bounded& bounded = input.m_rows[size_t(row.m_row)];
+		bounded = asked.m_singleRows[i];
+		bounded.m_target -= projectRow(row, velocity);
 	}
+}
+
+void AskedRows::read(const SystemInput& input)
+{
+	m_targets.reserve(input.m_rows.capacity());
+	m_targets.resize(input.m_rows.size());
+	for (size_t i = 0; i < m_targets.size(); ++i)
+		m_targets[i] = input.m_rows[i].m_target;
+	m_singleRows.resize(input.m_singleRows.size());
+	for (size_t i = 0; i < m_singleRows.size(); ++i)
+		m_singleRows[i] = input.m_rows[size_t(input.m_singleRows[i].m_row)];
 }
 
 void addImpulses(const SystemInput& input, const double* impulses, std::vector<double>& momentum)

@@ -16,11 +16,20 @@ namespace btElasticPlastic
 /// along = J v of all rows.
 void project(const SystemInput& input, const std::vector<double>& velocity, std::vector<double>& along);
 
+/// What the rows of a system ask for as long as nobody else moves its bodies, as far as solutions and takeFromTargets() change it.
+struct AskedRows
+{
+	std::vector<double> m_targets;                   ///< by row
+	std::vector<SystemInput::Bounded> m_singleRows;  ///< by single row
+
+	void read(const SystemInput& input);
+};
+
 /// Takes J v from the targets of rows, and puts single rows back to what they were before a solution.
 /// \param isChanged  by body: whether its v is another one than the last time
-/// \param rows       as they are for v = 0
+/// \param asked      for v = 0
 void takeFromTargets(SystemInput& input, const std::vector<double>& velocity, const std::vector<char>& isChanged,
-					 const std::vector<SystemInput::Bounded>& rows);
+					 const AskedRows& asked);
 
 /// momentum += sum J^T lambda.
 void addImpulses(const SystemInput& input, const double* impulses, std::vector<double>& momentum);
