@@ -113,8 +113,14 @@ bool ShearInteraction::collect(const JointModel& model)
 			askew += fibre.m_strength * slip[0] * slip[1];
 		m_fibres.push_back(fibre);
 	}
+	for (int k = 0; k < 3; ++k)
+		m_mostShare[k] = 1;
 	for (int k = 0; k < 2 && fabs(askew) > LEAST_ASKEW * (slips[0] + slips[1]); ++k)
-		slips[k] = shearAlone(k, slips[k]);
+	{
+		const double most = slips[k];
+		slips[k] = shearAlone(k, most);
+		m_mostShare[k] = slips[k] > 0 ? most / slips[k] : 1;
+	}
 	for (Fibre& fibre : m_fibres)
 		for (int k = 0; k < 3; ++k)
 		{
@@ -219,7 +225,7 @@ double ShearInteraction::search(const double force[6], double q[6])
 
 /// By Cauchy and Schwarz h(q)^2 <= q A q sum w n, with the matrix A of a search and its n: what the section bears is within the ellipsoid
 /// F A^-1 F <= sum w n, and at the forces with which the search was made they touch. So that is what each of shears and torsion may be
-/// beside the other five forces, and no more than it could be by itself.
+/// beside the other five forces, and no more than it could be beside any.
 /// \param share  at which the forces are
 /// \param bears  of the normal forces, their part of F A^-1 F
 void ShearInteraction::findShares(const double force[6], double share, double bears)
@@ -237,7 +243,7 @@ void ShearInteraction::findShares(const double force[6], double share, double be
 							bears / (shrunk * shrunk) - m_most,
 					 square = half * half - diagonal[k] * rest,
 					 most = square > 0 ? (sqrt(square) - half) / diagonal[k] : 0;
-		m_share[k] = btScalar(btMin(1., btMax(LEAST_SHARE, most)));
+		m_share[k] = btScalar(btMin(m_mostShare[k], btMax(LEAST_SHARE, most)));
 	}
 }
 
@@ -321,6 +327,6 @@ void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_D
 		slipped += fabs(force[k] * way[k]);
 	const double room = MOST_ROOM * (1 - slipped / (MOST_SLIP * btMax(work, slipped)));
 	for (int k = 0; k < 3 && room > 0; ++k)
-		m_share[k] = btMin(btScalar(1), m_share[k] + btScalar(room));
+		m_share[k] = btMin(btScalar(m_mostShare[k]), m_share[k] + btScalar(room));
 }
 }  // namespace btElasticPlastic

@@ -79,10 +79,11 @@ private:
 	void follow(const double q[6], double amount);
 
 	std::vector<Fibre> m_fibres;
-	double m_alone[6];   ///< what the section bears of N, M_y, M_z, V_y, V_z, T by itself, about the middle [N], [N m]
-	double m_middle[3];  ///< N, M_y, M_z in the middle of fibres of unequal strengths
-	Matrix m_matrix;     ///< of the last search, of shears and torsion, inverted
-	double m_most = 0;   ///< sum of w n with which it was made
+	double m_alone[6];  ///< what the section bears of N, M_y, M_z, V_y, V_z, T by itself, about the middle [N], [N m]
+	double m_mostShare[3];  ///< of shears and torsion, over what each could be by itself, if others act as well
+	double m_middle[3];     ///< N, M_y, M_z in the middle of fibres of unequal strengths
+	Matrix m_matrix;        ///< of the last search, of shears and torsion, inverted
+	double m_most = 0;      ///< sum of w n with which it was made
 	btAlignedObjectArray<btScalar> m_left;  ///< none: all of it
 	btScalar m_share[3] = {1, 1, 1};
 };
