@@ -9,6 +9,7 @@
 #include "problems/Curves.h"
 #include "problems/HeldBeams.h"
 #include "problems/Sections.h"
+#include "problems/Struts.h"
 
 namespace ep
 {
@@ -18,7 +19,7 @@ const std::vector<Problem>& problems()
 	{
 		std::vector<Problem> list;
 		for (const auto& group : {problemsOfBars(), problemsOfBeams(), problemsOfBlows(), problemsOfSections(),
-								  problemsOfCurves(), problemsOfHeldBeams()})
+								  problemsOfCurves(), problemsOfHeldBeams(), problemsOfStruts()})
 			list.insert(list.end(), group.begin(), group.end());
 		return list;
 	}();
