@@ -154,18 +154,32 @@ TEST(Fibres, HoldABeamThatIsStruckAsACableDoes)
 {
 	// Haythornthwaite's fixed beam takes up P_c (w + w^3 / 3h^2) to w = h and P_c (4h/3 + (w^2 - h^2) / h) beyond.
 	const double exact[][2] = {{25, 6.064e-3}, {100, 19.149e-3}, {400, 43.205e-3}, {900, 66.081e-3}};
-	for (const auto& blow : exact)
+	const btElasticPlasticSection square = btElasticPlasticSection::rectangle(btScalar(SIDE), btScalar(SIDE));
+	const struct
 	{
-		FixedBeam beam(strips(16), 500, 1000);
-		beam.m_middle->setLinearVelocity(btVector3(0, btScalar(-std::sqrt(2 * blow[0] / 500)), 0));
-		double most = 0;
-		for (int i = 0; i < 3840; ++i)
+		btElasticPlasticSection m_section;
+		double m_stiffness;
+		int m_rate;
+		double m_tolerance;
+	} cases[] = {
+		{strips(16), 1000, 3840, 0.01},
+		// Fibres that bear shear, of which there is a twenty-fifth of what yields. As the bar's halves rock, its ends slip to and fro elastically: where that
+		// counted as flow it took a quarter of their moments, and the beam went up to 6 % further. 16 fibres are right within 2.4 %.
+		{square.withFibres(), 100, 960, 0.024},
+		{square.withFibres(), 100, 3840, 0.024}};
+	for (const auto& c : cases)
+		for (const auto& blow : exact)
 		{
-			beam.m_world.step(btScalar(1) / 3840);
-			most = std::fmax(most, beam.sag());
+			FixedBeam beam(c.m_section, 500, c.m_stiffness);
+			beam.m_middle->setLinearVelocity(btVector3(0, btScalar(-std::sqrt(2 * blow[0] / 500)), 0));
+			double most = 0;
+			for (int i = 0; i < c.m_rate / 2; ++i)
+			{
+				beam.m_world.step(btScalar(1) / btScalar(c.m_rate));
+				most = std::fmax(most, beam.sag());
+			}
+			EXPECT_NEAR(blow[1], most, c.m_tolerance * blow[1]) << c.m_rate;
 		}
-		EXPECT_NEAR(blow[1], most, 0.01 * blow[1]);
-	}
 }
 
 /// A beam of square bar, of blocks in a plane between two supports that do not give way, with a heavy body in the middle that strikes it: explicit,

@@ -422,10 +422,10 @@ TEST(ShearInteraction, DissipatesWhatTheSurfaceDoesWhenItIsMoved)
 						for (int k = 0; k < 6; ++k)
 							power += sign * double(velocity[k / 3][k % 3]) * double(loaded.m_joint->getForce(k));
 						// It has come to rest there, but for what a step's lag makes near the edges of a surface of few fibres: from step to
-						// step it may go from one corner to its neighbour and back, by 2 % in one of these 160 ways, as far as such a surface is off.
+						// step it may go from one corner to its neighbour and back, by 4.4 % at the most. (It was 2 % where an elastic slip counted as flow, by which stiff joints lost a quarter of their moment: Fibres.HoldABeamThatIsStruckAsACableDoes.)
 						if (step > rate * 9 / 20)
 						{
-							EXPECT_NEAR(before, power, 0.024 * exact) << shape.m_name;
+							EXPECT_NEAR(before, power, 0.05 * exact) << shape.m_name;
 						}
 					}
 					EXPECT_NEAR(exact, power, 0.08 * exact) << shape.m_name << " " << i << " at " << rate;

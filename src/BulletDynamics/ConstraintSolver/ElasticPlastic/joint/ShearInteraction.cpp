@@ -23,6 +23,10 @@ const int SEARCHES = 12;
 const double CLOSE_ENOUGH = 1e-4;
 /// Share of what the section bears from which on it is taken to flow.
 const double FLOWS_FROM = 0.95;
+/// Shares of a slip that are not elastic, up to which next to none of it is taken as flow, and from which on all.
+const double ELASTIC = 0.1, PLASTIC = 0.5;
+/// What of an elastic one is, so that forces do not go to and fro between steps in which a shear flows and steps in which it does not.
+const double LEAST_FLOWING = 0.15;
 /// Part of the way to the bounds that belong to the present flow, in a step.
 const double LONGEST_TURN = 0.3;
 /// What is left of the yield values of shears and torsion at least. In a section that flows in one of them the others would else have none, and
@@ -272,6 +276,26 @@ void ShearInteraction::follow(const double q[6], double amount)
 		m_share[k] += btScalar(amount * (btMax(LEAST_SHARE, fabs(shear[k])) - double(m_share[k])));
 }
 
+namespace
+{
+/// What of a rate of strain is by the change of force, in the last step.
+double elasticRate(const JointModel& model, int dof)
+{
+	const btElasticPlasticCapacity& capacity = model.m_capacity;
+	const btScalar* const rate = model.m_state.m_forceRate;
+	const double own = double(rate[dof]) / double(capacity.m_stiffness[dof]),
+				 coupling = double(capacity.couplingCompliance(dof));
+	return coupling != 0 ? own + coupling * double(rate[btElasticPlasticCapacity::coupledWith(dof)]) : own;
+}
+
+/// What of a slip is flow. As a light part rocks, its ends slip to and fro elastically by far more than the section flows.
+double flowing(double slip, double elastic)
+{
+	const double share = slip != 0 ? fabs(1 - elastic / slip) : 0;
+	return slip * btMax(LEAST_FLOWING, btMin(1., (share - ELASTIC) / (PLASTIC - ELASTIC)));
+}
+}  // namespace
+
 void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_DOF_COUNT], btScalar dt)
 {
 	m_left.resize(0);
@@ -279,7 +303,7 @@ void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_D
 	const btElasticPlasticCapacity& capacity = model.m_capacity;
 	static const int dofs[6] = {BT_EP_AXIAL,   BT_EP_BENDING_Y, BT_EP_BENDING_Z,
 								BT_EP_SHEAR_Y, BT_EP_SHEAR_Z,   BT_EP_TORSION};
-	double force[6], way[6], load = 0, work = 0, grown = 0;
+	double force[6], way[6], flow[6], load = 0, work = 0, grown = 0;
 	// Shears and torsion first: most joints have next to none.
 	for (int k = 5; k >= 0; --k)
 	{
@@ -304,6 +328,7 @@ void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_D
 		grown += elastic * elastic;
 		force[k] = m_alone[k] > 0 ? (force[k] - (k < 3 ? m_middle[k] : 0)) / m_alone[k] : 0;
 		way[k] *= m_alone[k];
+		flow[k] = k < 3 ? way[k] : flowing(way[k], elasticRate(model, dofs[k]) * m_alone[k]);
 	}
 	double q[6];
 	const double share = search(force, q);
@@ -320,7 +345,7 @@ void ShearInteraction::find(const JointModel& model, const btScalar rate[BT_EP_D
 	}
 	findShares(force, share, force[0] * q[0] + force[1] * q[1] + force[2] * q[2]);
 	if (share > FLOWS_FROM && work > 0)
-		follow(way, btMin(1., (share - FLOWS_FROM) / (1 - FLOWS_FROM)) * btMin(LONGEST_TURN, sqrt(grown)));
+		follow(flow, btMin(1., (share - FLOWS_FROM) / (1 - FLOWS_FROM)) * btMin(LONGEST_TURN, sqrt(grown)));
 	// What shear and torsion do themselves.
 	double slipped = 0;
 	for (int k = 3; k < 6; ++k)
