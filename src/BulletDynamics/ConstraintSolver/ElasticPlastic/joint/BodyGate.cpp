@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-#include "BulletDynamics/Dynamics/btRigidBody.h"
-
 namespace btElasticPlastic
 {
 namespace

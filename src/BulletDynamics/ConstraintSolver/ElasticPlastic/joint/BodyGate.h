@@ -5,14 +5,16 @@
 #define BT_ELASTIC_PLASTIC_BODY_GATE_H
 
 #include "../../btElasticPlasticFault.h"
-
-class btRigidBody;
+#include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
 {
 /// Whether all numbers of a body that enter a solver's rows are finite, position, orientation, velocities, loads, mass,
 /// inertia, factors, and its basis is that of a rotation. A body that has become NaN or flat must not spread that to its neighbours.
 bool isWellFormed(const btRigidBody& body);
+
+/// Whether the user has taken a body out of the simulation: Bullet does not move it, whatever its velocity.
+inline bool isFrozen(const btRigidBody& body) { return body.getActivationState() == DISABLE_SIMULATION; }
 
 /// \return a fault if a body that can move is in no world, or is a collision object of another kind that was cast to a rigid body
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA);

@@ -109,6 +109,15 @@ void makeIdle(SystemInput::SingleRow& row, SystemInput::Bounded& terms)
 	terms.m_compliance = 1;
 }
 
+/// With which bound the search for a one-sided row begins. A limit from which its bodies are far asks for the speed that would take them there in a
+/// step: to begin with that, and to take it back, leaves more than rounding where what they are joined to is rigid.
+signed char boundAtRest(const SystemInput::Bounded& row)
+{
+	if (row.m_lower == 0 && row.m_upper > 0 && row.m_target < 0)
+		return -1;
+	return static_cast<signed char>(row.m_upper == 0 && row.m_lower < 0 && row.m_target > 0 ? 1 : 0);
+}
+
 /// The square of what two spins differ by, over that of their mean, up to which bodies turn as one.
 const double AS_ONE = 0.1;
 
@@ -364,6 +373,7 @@ SystemInput::SingleRow& DirectForm::addRow(btSolverConstraint& from, const Solve
 	boundInfinite(terms);
 	if (!isFiniteRow(row, terms))
 		makeIdle(row, terms);
+	m_input.m_guess[size_t(row.m_row)].m_bound = boundAtRest(terms);
 	return row;
 }
 

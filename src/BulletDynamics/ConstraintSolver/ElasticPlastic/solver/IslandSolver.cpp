@@ -65,6 +65,45 @@ void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
 			body->applyGravity();
 	}
 }
+
+/// Holds the bodies of an island that the user has taken out of the simulation (DISABLE_SIMULATION) for as long as it lives. Bullet solves them as if
+/// they could move, and leaves them where they are: what others do to them would be lost to these, and done again in the next step.
+class FrozenBodies
+{
+public:
+	FrozenBodies(btCollisionObject** bodies, int numBodies)
+	{
+		for (int i = 0; i < numBodies; ++i)
+		{
+			btRigidBody* const body = btRigidBody::upcast(bodies[i]);
+			if (!body || !isFrozen(*body) || body->getInvMass() == 0)
+				continue;
+			m_bodies.push_back({body, body->getLinearFactor(), body->getAngularFactor()});
+			body->setLinearFactor(btVector3(0, 0, 0));
+			body->setAngularFactor(btVector3(0, 0, 0));
+			body->setLinearVelocity(btVector3(0, 0, 0));
+			body->setAngularVelocity(btVector3(0, 0, 0));
+		}
+	}
+	FrozenBodies(const FrozenBodies&) = delete;
+	FrozenBodies& operator=(const FrozenBodies&) = delete;
+	~FrozenBodies()
+	{
+		for (int i = 0; i < m_bodies.size(); ++i)
+		{
+			m_bodies[i].m_body->setLinearFactor(m_bodies[i].m_linearFactor);
+			m_bodies[i].m_body->setAngularFactor(m_bodies[i].m_angularFactor);
+		}
+	}
+
+private:
+	struct Body
+	{
+		btRigidBody* m_body;
+		btVector3 m_linearFactor, m_angularFactor;
+	};
+	btAlignedObjectArray<Body> m_bodies;
+};
 }  // namespace
 
 SolverPools IslandSolver::pools()
@@ -87,6 +126,7 @@ void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& i
 	m_dispatcher = dispatcher;
 	m_sweepsContacts = sweepsContacts(island);
 	giveWokenTheirWeight(island.m_bodies, island.m_numBodies);
+	const FrozenBodies frozen(island.m_bodies, island.m_numBodies);
 	if (m_settings.m_form == BT_EP_DIRECT)
 		m_inner.solve(island, info, m_settings, m_statistics, *this);
 	else

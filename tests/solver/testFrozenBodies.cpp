@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+// Bodies that the user takes out of the simulation (DISABLE_SIMULATION) while their joints stay.
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "support/Close.h"
+#include "world/Place.h"
+#include "world/World.h"
+
+namespace testFrozenBodies
+{
+using namespace ep;
+
+/// Three boxes in a row.
+struct Row
+{
+	World m_world;
+	btRigidBody* m_bodies[3];
+	btElasticPlasticJoint* m_joints[2];
+
+	Row(Solver solver, const btVector3& gravity) : m_world(solver, gravity)
+	{
+		btCollisionShape* const box = m_world.box(btVector3(btScalar(0.4), btScalar(0.4), btScalar(0.4)));
+		btElasticPlasticCapacity capacity;
+		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+			capacity.set(dof, btScalar(1e7), btScalar(2e4), btScalar(0.5));
+		for (int i = 0; i < 3; ++i)
+			m_bodies[i] = m_world.body(20, box, at(btScalar(i)));
+		for (int i = 0; i < 2; ++i)
+			m_joints[i] = m_world.joint(*m_bodies[i], *m_bodies[i + 1], at(btScalar(i) + btScalar(0.5)), capacity);
+	}
+
+	double energy() const
+	{
+		double sum = 0;
+		for (const btRigidBody* body : m_bodies)
+			sum += kineticEnergy(*body, body->getCenterOfMassTransform().getBasis());
+		for (const btElasticPlasticJoint* joint : m_joints)
+			sum += joint->getElasticEnergy() + joint->getPlasticEnergy();
+		return sum;
+	}
+};
+
+TEST(FrozenBodies, HoldWhatIsJoinedToThem)
+{
+	// Bullet solves them as if they could move, and leaves them where they are: what hung on one sank by 7 m in 4 s, or broke off upwards.
+	for (const Solver solver : {Solver::Direct, Solver::Iterative})
+	{
+		Row row(solver, btVector3(0, btScalar(-9.81), 0));
+		row.m_bodies[0]->forceActivationState(DISABLE_SIMULATION);
+		for (int i = 0; i < 240; ++i)
+			row.m_world.step(btScalar(1) / 60);
+		EXPECT_EQ(btVector3(0, 0, 0), row.m_bodies[0]->getCenterOfMassPosition());
+		// The weight of two; ten iterations let them sink by 60 mm.
+		EXPECT_NEAR(-2 * 20 * 9.81, row.m_joints[0]->getAppliedForce(BT_EP_SHEAR_Y), 1);
+		EXPECT_NEAR(0, row.m_bodies[2]->getCenterOfMassPosition().y(), solver == Solver::Direct ? 1e-3 : 0.1);
+		EXPECT_EQ(0, row.m_world.action().getNumBroken());
+	}
+}
+
+TEST(FrozenBodies, MakeNoEnergy)
+{
+	// One of three that fly is frozen for two thirds of a second: it stops them, and they had up to 65 times the energy after it.
+	for (const Solver solver : {Solver::Direct, Solver::Iterative})
+		for (const bool stops : {false, true})
+		{
+			Row row(solver, btVector3(0, 0, 0));
+			for (btRigidBody* body : row.m_bodies)
+				body->setLinearVelocity(btVector3(1, btScalar(0.5), 0));
+			const double energy = row.energy();
+			for (int i = 0; i < 120; ++i)
+			{
+				btRigidBody& frozen = *row.m_bodies[2];
+				if (i == 20 && stops)
+					frozen.setLinearVelocity(btVector3(0, 0, 0));
+				if (i == 20)
+					frozen.forceActivationState(DISABLE_SIMULATION);
+				if (i == 60)
+					frozen.forceActivationState(ACTIVE_TAG);
+				const btTransform place = frozen.getCenterOfMassTransform();
+				row.m_world.step(btScalar(1) / 60);
+				EXPECT_LT(row.energy(), 1.001 * energy) << i;
+				if (i > 20 && i < 60)
+				{
+					EXPECT_EQ(0, place.getOrigin().distance(frozen.getCenterOfMassPosition())) << i << " " << stops << int(solver);
+					EXPECT_EQ(btVector3(1, 1, 1), frozen.getLinearFactor());
+				}
+			}
+		}
+}
+}  // namespace testFrozenBodies
