@@ -56,6 +56,49 @@ TEST(Materials, OfConcreteFollowTheFormulaOfTheirStandard)
 	}
 }
 
+TEST(Materials, HaveStrengthsInShearOfTheirOwn)
+{
+	// Metals by von Mises, others as their standards have them.
+	const struct
+	{
+		const char* m_name;
+		double m_strength, m_modulus;
+	} cases[] = {{"S355", 355e6 / std::sqrt(3.), 210e9 / 2.6},
+				 {"C30/37", 2e6, 33e9 / 2.4},
+				 {"C24 along", 4e6, 0.69e9},
+				 {"C24 across", 0.8e6, 0.069e9},
+				 {"GJL-250", 290e6, 110e9 / 2.52},
+				 {"clay brick", 0.2e6, 2e9}};
+	for (const auto& c : cases)
+	{
+		expectClose(c.m_strength, Ready::find(c.m_name).shearYieldStress());
+		expectClose(c.m_modulus, Ready::find(c.m_name).shearModulus());
+		EXPECT_EQ(std::string(c.m_name) == "clay brick" ? btScalar(0.4) : btScalar(0),
+				  Ready::find(c.m_name).m_friction);
+	}
+}
+
+TEST(Materials, HaveRatesThatAreToBeAskedFor)
+{
+	int rated = 0;
+	for (int i = 0; i < Ready::count(); ++i)
+	{
+		Ready ready = Ready::at(i);
+		EXPECT_EQ(0, ready.m_material.m_rate.m_reference) << ready.m_name;
+		rated += ready.m_rate.m_reference > 0;
+		ready.m_material.m_rate = ready.m_rate;
+		EXPECT_FALSE(ready.m_material.fault()) << ready.m_name;
+	}
+	// All but cast iron, timber, brick and glass.
+	EXPECT_EQ(Ready::count() - 6, rated);
+	// fib Model Code 2010, 5.1.11.2.1: up to 30 1/s strength under pressure grows by the power 0.014 of the rate over 30e-6 1/s.
+	const btElasticPlasticRate concrete = btElasticPlasticRate::concrete();
+	for (const double rate : {1e-3, 0.1, 1., 30.})
+		EXPECT_NEAR(std::pow(rate / 30e-6, 0.014),
+					1 + std::pow(rate / double(concrete.m_reference), 1 / double(concrete.m_exponent)), 0.035)
+			<< rate;
+}
+
 TEST(Materials, ThatAreNotThereAreRefused)
 {
 	EXPECT_STREQ("density [kg/m^3]", Ready::find("S999").fault().m_quantity);

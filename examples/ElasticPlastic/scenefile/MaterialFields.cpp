@@ -235,6 +235,13 @@ void materialFields(Fields& f, SceneDescription::Material& m)
 	if (f.choice("ready", index, ready, "one of the library's, of which the other keys change what they say") &&
 		index > 0)
 		law = btElasticPlasticReadyMaterial::at(int(index) - 1).m_material;
+	bool isRated = false;
+	f.flag("rated", isRated,
+		   "of fibres: whether it is stronger when it flows fast, as the library's material named by ready is");
+	if (isRated && index == 0)
+		f.refuse("rated", "is for a material that is one of the library's: name it by ready");
+	else if (isRated)
+		law.m_rate = btElasticPlasticReadyMaterial::at(int(index) - 1).m_rate;
 	f.scalar("youngs_modulus", law.m_youngsModulus, Range::above(0), "Pa", "E");
 	f.scalar("poissons_ratio", law.m_poissonsRatio, {-1, .5, true}, "", "nu");
 	f.scalar("density", law.m_density, {0, 1e6, true}, "kg/m^3", "of bodies made of it");
@@ -245,6 +252,10 @@ void materialFields(Fields& f, SceneDescription::Material& m)
 			 "part of a section that bears load, as the steel in concrete");
 	f.named("shear_yield", law.m_shearYield, shearYields(),
 			"how the yield stress in shear follows from the one in tension");
+	f.scalar("shear_modulus", law.m_shearModulus, Range::notNegative(), "Pa",
+			 "G; 0: by youngs_modulus and poissons_ratio");
+	f.scalar("shear_strength", law.m_shearStrength, Range::notNegative(), "Pa", "0: by shear_yield");
+	f.scalar("friction", law.m_friction, {0, 2}, "", "what pressure adds to the strength in shear");
 	fibreFields(f, law);
 	f.vector("colour", m.colour, "", "red, green and blue, linear", Need::Optional, {0, 1});
 	refuseFault(f, law.fault());

@@ -19,6 +19,7 @@ namespace
 {
 const int LOOK_EVERY = 20;        // steps: whether the file has changed
 const size_t MOST_JOINTS = 12;    // in the table
+const size_t FEW_JOINTS = 4;      // the same above a section, which is to be seen as a whole
 const size_t LONGEST_NAME = 13;   // of a joint there
 const size_t MOST_VALUES = 2000;  // of a plot
 
@@ -239,7 +240,9 @@ void LiveScene::joints(Panel& panel)
 	for (size_t i = 0; i < m_simulation->scene().joints.size(); ++i)
 		if (m_simulation->joint(int(i)) && !m_simulation->isCut(int(i)) && !m_simulation->isBroken(int(i)))
 			used.push_back({int(i), readJoint(m_simulation->world(), *m_simulation->joint(int(i)))});
-	const size_t shown = std::min(used.size(), MOST_JOINTS);
+	const btElasticPlasticJoint* const chosen = m_selected >= 0 ? m_simulation->joint(m_selected) : nullptr;
+	const bool hasSection = chosen && chosen->getCapacity().hasFibres();
+	const size_t shown = std::min(used.size(), hasSection ? FEW_JOINTS : MOST_JOINTS);
 	std::partial_sort(used.begin(), used.begin() + long(shown), used.end(),
 					  [](const Used& a, const Used& b) { return a.reading.utilisation > b.reading.utilisation; });
 	used.resize(shown);
@@ -259,8 +262,7 @@ void LiveScene::joints(Panel& panel)
 	if (m_selected >= 0)
 		panel.plot(("used: " + m_simulation->scene().joints[size_t(m_selected)].name).c_str(),
 				   {m_history, double(stepTime()), "", 1});
-	if (m_selected >= 0 && m_simulation->joint(m_selected) &&
-		m_simulation->joint(m_selected)->getCapacity().hasFibres())
+	if (hasSection)
 		section(panel);
 	if (m_simulation->numBroken() > 0 && panel.section("Broken", true))
 		broken(panel);

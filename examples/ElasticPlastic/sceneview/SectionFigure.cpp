@@ -101,8 +101,9 @@ std::string describeRulingFibre(const btElasticPlasticJoint& joint)
 	const btElasticPlasticFibre& fibre = joint.getCapacity().m_fibres[ruling];
 	const btElasticPlasticFibreReading reading = joint.getFibre(ruling);
 	const std::string what = fibre.m_part == 0 ? "the section's fibre" : format("part %d", fibre.m_part);
-	return format("%s at y %.3g, z %.3g m rules:\n%.0f %% used, %.0f %% worn, %.3g mm longer", what.c_str(),
+	return format("%s at y %.3g, z %.3g m rules:\n%.0f %% used, %.0f %% worn, %.3g mm %s", what.c_str(),
 				  double(fibre.m_y), double(fibre.m_z), 100 * double(reading.m_utilisation),
-				  100 * double(reading.m_damage), 1000 * double(reading.m_elongation));
+				  100 * double(reading.m_damage), 1000 * std::fabs(double(reading.m_elongation)),
+				  reading.m_elongation < 0 ? "shorter" : "longer");
 }
 }  // namespace ep

@@ -48,7 +48,7 @@ btElasticPlasticCapacity::btElasticPlasticCapacity(btElasticPlasticOwnPrecision)
 {
 	m_rigidPlastic = 0;
 	m_coupling[0] = m_coupling[1] = 0;
-	m_length = m_damping = 0;
+	m_length = m_damping = m_friction = 0;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		clear(i);
 }
@@ -177,7 +177,8 @@ btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlastic
 bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) const
 {
 	bool isSame = m_rigidPlastic == other.m_rigidPlastic && m_length == other.m_length &&
-				  m_damping == other.m_damping && m_fibres.size() == other.m_fibres.size();
+				  m_damping == other.m_damping && m_friction == other.m_friction &&
+				  m_fibres.size() == other.m_fibres.size();
 	isSame &= m_curvePoints.size() == other.m_curvePoints.size();
 	for (int i = 0; isSame && i < m_fibres.size(); ++i)
 		isSame = m_fibres[i].isSameAs(other.m_fibres[i]);
@@ -246,6 +247,8 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 	if (m_length > greatestLength())
 		return btElasticPlasticFault("length that bows [m]", m_length, "at most 1e6");
 	if (btElasticPlasticFault f = btElasticPlasticCheckDampingRatio(m_damping))
+		return f;
+	if (btElasticPlasticFault f = btElasticPlasticCheckFriction(m_friction))
 		return f;
 	for (int i = BT_EP_SHEAR_Y; i <= BT_EP_SHEAR_Z; ++i)
 		if (!btElasticPlasticIsFinite(double(m_coupling[planeOf(i)])) || !(btFabs(m_coupling[planeOf(i)]) < 1))
@@ -390,8 +393,8 @@ btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPla
 	const btScalar fy = material.m_yieldStress * share, tau = material.shearYieldStress() * share;
 	const btScalar a = lengthA / 2, b = lengthB / 2, l = a + b;
 	const btScalar plastic = material.m_ultimatePlasticStrain * (gaugeLength > 0 ? gaugeLength : l);
-	// Equal work fy de = tau dg makes a shear strain g equivalent to a strain e = g tau / fy.
-	const btScalar plasticShear = plastic * fy / tau;
+	// Equal work fy de = tau dg makes a shear strain g equivalent to a strain e = g tau / fy; where none follows from the other, by von Mises.
+	const btScalar plasticShear = plastic * (material.m_shearStrength > 0 ? btSqrt(btScalar(3)) : fy / tau);
 
 	c.set(BT_EP_AXIAL, E * section.m_area / l, section.m_area * fy, plastic);
 	c.set(BT_EP_TORSION, G * section.m_torsionConstant / l, section.m_plasticTorsionModulus * tau,
@@ -409,6 +412,7 @@ btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPla
 	c.m_length = l;
 	c.addFibres(material, section, l, gaugeLength > 0 ? gaugeLength : l);
 	c.m_damping = material.m_dampingRatio;
+	c.m_friction = material.m_friction;
 	// Of the sign, see elasticMiddle().
 	const btScalar middle = (b - a) / 2;
 	for (int i = 0; i < 2; ++i)

@@ -44,6 +44,9 @@ struct btElasticPlasticCapacity
 	btScalar m_length;
 	/// Damping ratio of the material: of all modes, see btElasticPlasticMaterial. 0 to 0.1; 0: none.
 	btScalar m_damping;
+	/// What pressure adds to the yield values of both shear forces, over its force, 0 to 2; by that of the step before. Of a section with fibres the yield values
+	/// themselves, its bond, are by as many as are not cracked or torn. 0: none.
+	btScalar m_friction;
 	unsigned m_rigidPlastic;  ///< bit i: degree of freedom i does not spring, it only flows
 	/// Fibres of the section: axial force and bending moments then yield together, and m_yield in these three is only what each could
 	/// be by itself. None: they yield independently. They are for the direct form of btElasticPlasticConstraintSolver; others take the
@@ -145,9 +148,9 @@ struct btElasticPlasticCapacity
 	///    makes no turn and a moment no shift. At the joint the turn is (M - s V_y) l/(E I), and so for the other plane with -s: with
 	///    this a frame of members is as stiff as by matrix analysis, with one part a member. Yield is asked of the section's forces
 	///    at the joint;
-	///  - length of the bow, l;
+	///  - length of the bow, l; friction of the material;
 	///  - yields N = A f_y, Q = A_v tau_y, T = W_T tau_y, M = W_pl f_y (paper, equations 10 to 14 and Table IV);
-	///  - ductility: elongation e_u g, slip (f_y/tau_y) e_u g, rotation e_u g / c, twist (f_y/tau_y) e_u g / c,
+	///  - ductility: elongation e_u g, slip (f_y/tau_y) e_u g, rotation e_u g / c, twist (f_y/tau_y) e_u g / c, with sqrt(3) for f_y/tau_y of a material with m_shearStrength,
 	///    with the ultimate plastic strain e_u, gauge length g and distance c of the outer fibre;
 	///  - of a section with fibres (btElasticPlasticSection::withFibres): these, with A f_y and e_u g of their own, bars of their own
 	///    material.

@@ -45,3 +45,10 @@ btElasticPlasticFault btElasticPlasticCheckDampingRatio(btScalar value)
 		return btElasticPlasticFault();
 	return btElasticPlasticFault("damping ratio", value, "from 0 to 0.1");
 }
+
+btElasticPlasticFault btElasticPlasticCheckFriction(btScalar value)
+{
+	if (btElasticPlasticIsFinite(value) && value >= 0 && value <= 2)
+		return btElasticPlasticFault();
+	return btElasticPlasticFault("friction of shear forces under pressure", value, "from 0 to 2");
+}

@@ -65,5 +65,6 @@ btElasticPlasticFault btElasticPlasticCheckNotNegative(const char* quantity, btS
 
 /// Fault for a damping ratio that is not from 0 to 0.1.
 btElasticPlasticFault btElasticPlasticCheckDampingRatio(btScalar value);
+btElasticPlasticFault btElasticPlasticCheckFriction(btScalar value);
 
 #endif  // BT_ELASTIC_PLASTIC_FAULT_H

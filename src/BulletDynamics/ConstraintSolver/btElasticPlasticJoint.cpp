@@ -125,8 +125,8 @@ btScalar btElasticPlasticJoint::getForce(int dof) const
 		force += read(branch, dof);
 	const btElasticPlasticCapacity& capacity = getCapacity();
 	// The sum of spring and damping may be rounded beyond the yield value, and by mode a spring may be strained beyond it for a step.
-	// Fibres that harden have none.
-	if (!capacity.isElasticPlastic(dof) || (capacity.hasFibres() && btElasticPlasticCapacity::isOfFibres(dof)))
+	// Fibres that harden have none, and the shears of some sections with fibres bear more beside others than by themselves.
+	if (!capacity.isElasticPlastic(dof) || capacity.hasFibres() || capacity.m_friction > 0)
 		return force;
 	return btMax(-capacity.m_yield[dof], btMin(capacity.m_yield[dof], force));
 }
@@ -189,8 +189,11 @@ btScalar btElasticPlasticJoint::getQuantity(btElasticPlasticQuantity quantity) c
 
 btScalar btElasticPlasticJoint::getUtilisation(int dof) const
 {
-	return getCapacity().isElasticPlastic(dof) ? btFabs(getAppliedForce(dof)) / getCapacity().m_yield[dof]
-											   : btScalar(0);
+	if (!getCapacity().isElasticPlastic(dof))
+		return 0;
+	const btScalar most = m_works->m_model.yieldUnder(-getAppliedForce(BT_EP_AXIAL), dof),
+				   force = btFabs(getAppliedForce(dof));
+	return most > 0 ? force / most : force > 0 ? btScalar(1) : btScalar(0);
 }
 
 btScalar btElasticPlasticJoint::getUtilisation(int* limitingDof) const

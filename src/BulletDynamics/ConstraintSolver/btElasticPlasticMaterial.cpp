@@ -65,6 +65,12 @@ btElasticPlasticFault btElasticPlasticMaterial::fault() const
 		return btElasticPlasticFault("exponent of the rate of strain", m_rate.m_exponent, "finite, at least 1");
 	if (btElasticPlasticFault f = btElasticPlasticCheckDampingRatio(m_dampingRatio))
 		return f;
+	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("shear modulus [Pa]", m_shearModulus))
+		return f;
+	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("strength in shear [Pa]", m_shearStrength))
+		return f;
+	if (btElasticPlasticFault f = btElasticPlasticCheckFriction(m_friction))
+		return f;
 	return faultOfHardening(*this);
 }
 

@@ -34,6 +34,8 @@ struct btElasticPlasticRate
 	static btElasticPlasticRate highTensileSteel() { return of(3200, 5); }
 	/// Aluminium alloys: 6500 1/s, 4 (Bodner and Symonds 1962).
 	static btElasticPlasticRate aluminium() { return of(6500, 4); }
+	/// Concrete under pressure: 3.3e8 1/s, 10.6, within 3 % of fib Model Code 2010, 5.1.11.2.1 ((rate / 30e-6 1/s)^0.014) from 1e-3 to 30 1/s.
+	static btElasticPlasticRate concrete() { return of(btScalar(3.3e8), btScalar(10.6)); }
 	/// Stainless steel 304: 100 1/s, 10 (Forrestal and Sagartz 1978).
 	static btElasticPlasticRate stainlessSteel() { return of(100, 10); }
 
@@ -77,13 +79,24 @@ struct btElasticPlasticMaterial
 	/// Ratio of critical damping of a structure's modes, 0 (none) to 0.1. EN 1998-6, Annex B has 1 to 4 % for steel, 2 to 7 % for concrete.
 	btScalar m_dampingRatio = btScalar(0.01);
 	btElasticPlasticShearYield m_shearYield = BT_EP_TRESCA;
+	/// G [Pa], >= 0, of a material that is not isotropic, such as timber; 0: E / (2 (1 + nu)).
+	btScalar m_shearModulus = 0;
+	/// tau_y [Pa], >= 0, of a material that knows no criterion of yield, such as concrete, timber and masonry; 0: by m_shearYield.
+	btScalar m_shearStrength = 0;
+	/// How much pressure adds to the strength in shear: tau_y + m_friction p (Mohr and Coulomb), 0 to 2. Of shear forces; torsion does not know it.
+	btScalar m_friction = 0;
 
-	/// G = E / (2 (1 + nu))
-	btScalar shearModulus() const { return m_youngsModulus / (2 * (1 + m_poissonsRatio)); }
+	/// G
+	btScalar shearModulus() const
+	{
+		return m_shearModulus > 0 ? m_shearModulus : m_youngsModulus / (2 * (1 + m_poissonsRatio));
+	}
 
-	/// tau_y by the chosen criterion
+	/// tau_y without pressure
 	btScalar shearYieldStress() const
 	{
+		if (m_shearStrength > 0)
+			return m_shearStrength;
 		return m_shearYield == BT_EP_TRESCA ? m_yieldStress / 2 : m_yieldStress / btSqrt(btScalar(3));
 	}
 

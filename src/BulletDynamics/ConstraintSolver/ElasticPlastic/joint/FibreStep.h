@@ -43,9 +43,14 @@ public:
 	};
 
 	/// Before all rows of the step are made: what shears and torsion leave of the fibres and of each other.
-	void beginShear(const Motion& motion, btScalar dt) { m_interaction.find(m_model, motion.m_rate, dt); }
+	/// \param pressure  on the section, with which the step begins
+	void beginShear(const Motion& motion, btScalar pressure, btScalar dt)
+	{
+		m_pressure = pressure;
+		m_interaction.find(m_model, motion.m_rate, dt);
+	}
 	/// The yield value of a shear or torsion in the step.
-	btScalar yieldOf(int dof) const { return m_interaction.getShare(dof) * m_model.m_capacity.m_yield[dof]; }
+	btScalar yieldOf(int dof) const { return m_interaction.getShare(dof) * m_model.yieldUnder(m_pressure, dof); }
 
 	/// Makes the fibres' rows, and couples them with those of the shears.
 	/// \param strain    of the joint's six degrees of freedom, as the step meets it
@@ -182,6 +187,7 @@ private:
 	btAlignedObjectArray<Mapped> m_mapped;
 	CoupledBundle m_bundle;
 	ShearInteraction m_interaction;
+	btScalar m_pressure = 0;
 	btAlignedObjectArray<Loss> m_losses;
 };
 }  // namespace btElasticPlastic

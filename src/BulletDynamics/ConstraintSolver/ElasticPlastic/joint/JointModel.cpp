@@ -249,7 +249,8 @@ btScalar JointModel::mostForce(const btElasticPlasticState& state, int dof) cons
 {
 	if (!isElasticPlastic(dof))
 		return 0;
-	const btScalar without = MOST_OVER_YIELD * m_capacity.m_yield[dof];
+	const btScalar without =
+		MOST_OVER_YIELD * (m_capacity.m_yield[dof] + m_capacity.m_friction * m_capacity.m_yield[BT_EP_AXIAL]);
 	// Forces of fibres stay where another scheme has taken over since.
 	if (!btElasticPlasticCapacity::isOfFibres(dof) || !m_capacity.hasFibres())
 		return without;
@@ -545,6 +546,18 @@ JointModel::FibreStrength JointModel::strengthOf(int fibre, btScalar morePath) c
 	else if (own.m_softens)
 		strength.m_tension *= btMax(1 - state.m_damage - morePath / own.m_stretchLimit, btScalar(0));
 	return strength;
+}
+
+btScalar JointModel::bondedShare() const
+{
+	btScalar bonded = 0, all = 0;
+	for (int i = 0; i < m_state.m_fibres.size(); ++i)
+	{
+		const btElasticPlasticFibreState& fibre = m_state.m_fibres[i];
+		all += m_bearing[i].m_stiffness;
+		bonded += fibre.m_isCracked || fibre.isRuptured() ? btScalar(0) : m_bearing[i].m_stiffness;
+	}
+	return all > 0 ? bonded / all : btScalar(1);
 }
 
 SectionCompliance JointModel::partCompliance() const

@@ -194,6 +194,19 @@ struct JointModel
 	};
 	FibreStrength strengthOf(int fibre, btScalar morePath = 0) const;
 
+	/// Which share of a section holds together: all of it, but for fibres that are cracked or torn.
+	btScalar bondedShare() const;
+
+	/// The yield value of a degree of freedom under a pressure on the section, without what shears and torsion take of each other.
+	/// \param pressure  [N], negative: none
+	btScalar yieldUnder(btScalar pressure, int dof) const
+	{
+		const btScalar own = m_capacity.m_yield[dof];
+		if (!(m_capacity.m_friction > 0) || (dof != BT_EP_SHEAR_Y && dof != BT_EP_SHEAR_Z))
+			return own;
+		return own * bondedShare() + m_capacity.m_friction * btMax(pressure, btScalar(0));
+	}
+
 	/// Whether a fibre opens without a force.
 	bool bearsPressureOnly(int fibre) const
 	{

@@ -97,6 +97,7 @@ bool JointStep::evaluate(btScalar dt)
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
+	m_pressure = -m_model.m_state.m_force[BT_EP_AXIAL];
 	const btScalar damping = m_model.m_capacity.m_damping;
 	if (!m_damping.isFor(damping, dt))
 		m_damping = MaterialDamping(damping, dt);
@@ -268,7 +269,8 @@ void JointStep::makeRows(btScalar erp, JointRows& rows)
 bool JointStep::areAlike() const
 {
 	return m_model.isElasticPlasticThroughout() && m_numRows == BT_EP_DOF_COUNT && !m_usesFibres &&
-		   !m_model.m_isPaper && !m_model.m_isByMode && SpringLanes::areSprings(m_model.m_capacity);
+		   !m_model.m_isPaper && !m_model.m_isByMode && !(m_model.m_capacity.m_friction > 0) &&
+		   SpringLanes::areSprings(m_model.m_capacity);
 }
 
 /// As couple() and makeRow() do it for rows one by one.
@@ -326,7 +328,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		motion.m_turn[1] = diagonal.about(k.m_axis[2]);
 		for (int r = 0; r < m_numRows; ++r)
 			motion.m_rate[m_row[r].m_dof] = getRateBefore(r);
-		m_fibres.beginShear(motion, dt);
+		m_fibres.beginShear(motion, m_pressure, dt);
 	}
 	rows.m_numRows = getNumPlainRows();
 	rows.m_numFibres = 0;

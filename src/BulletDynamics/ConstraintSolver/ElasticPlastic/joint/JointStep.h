@@ -253,7 +253,10 @@ private:
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}
 	/// In the step.
-	btScalar yieldOf(int dof) const { return m_usesFibres ? m_fibres.yieldOf(dof) : m_model.m_capacity.m_yield[dof]; }
+	btScalar yieldOf(int dof) const
+	{
+		return m_usesFibres ? m_fibres.yieldOf(dof) : m_model.yieldUnder(m_pressure, dof);
+	}
 	void damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres);
 	double strainEnergy(const btScalar strains[BT_EP_DOF_COUNT]) const;
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
@@ -267,6 +270,7 @@ private:
 	btScalar m_erp = 0;
 	double m_given = 0;  ///< see setWork()
 	bool m_hasRecovery = false, m_isCut = false, m_isFree = false, m_usesFibres = false, m_isWorkKnown = false;
+	btScalar m_pressure = 0;               ///< on the section, with which the step began [N]
 	bool m_areAlike = false;               ///< all rows are springs of one law, see SpringLanes
 	bool m_isTensionKnown = false;         ///< m_tension is the step's, see foreseeTension()
 	btScalar m_tension[3] = {};            ///< along the joint's axes [N]

@@ -147,6 +147,7 @@ void transfer(Archive& archive, btElasticPlasticCapacity& capacity)
 	transfer(archive, capacity.m_coupling);
 	archive(capacity.m_length);
 	archive(capacity.m_damping);
+	archive(capacity.m_friction);
 	archive(capacity.m_rigidPlastic);
 	transferList(archive, capacity.m_fibres);
 	transferList(archive, capacity.m_curvePoints);
