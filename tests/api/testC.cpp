@@ -19,7 +19,7 @@ struct CInterface : testing::Test
 	btep_world* m_world = nullptr;
 	int m_wall = 0, m_block = 0;
 	btep_body_description m_cube = {sizeof m_cube, BTEP_BOX, {1, 1, 1}, 0, {0, 0, 0}, {0, 0, 0, 1}, 0.5};
-	btep_capacity m_capacity = {sizeof m_capacity, {}, {}, {}, {}, 0, 0, 0};
+	btep_capacity m_capacity = {sizeof m_capacity, {}, {}, {}, {}, 0, 0, 0, 0};
 
 	CInterface()
 	{
@@ -83,7 +83,7 @@ TEST_F(CInterface, RefusesWhatIsOutOfRange)
 	m_capacity.m_stiffness[0] = -1;
 	EXPECT_EQ(BTEP_BAD_VALUE, btep_joint_create(m_world, m_wall, m_block, ORIGIN, UPRIGHT, &m_capacity, &made));
 	expectMessage("stiffness");
-	btep_material steel = {sizeof steel, 200e9, 0.3, 0, 0.2, 0, 1, 0};
+	btep_material steel = {sizeof steel, 200e9, 0.3, 0, 0.2, 0, 1, 0, 0, 0, 0};
 	EXPECT_EQ(BTEP_BAD_VALUE, btep_capacity_of_member(m_world, &steel, 0.1, 0.1, 1, 1, &m_capacity));
 	expectMessage("yield stress");
 	// The world goes on.
@@ -158,7 +158,7 @@ TEST_F(CInterface, UnreadEventsStayBounded)
 
 TEST_F(CInterface, TheSameCapacityHasOneNumber)
 {
-	const btep_material steel = {sizeof steel, 200e9, 0.3, 200e6, 0.2, 0.01, 1, 0};
+	const btep_material steel = {sizeof steel, 200e9, 0.3, 200e6, 0.2, 0.01, 1, 0, 0, 0, 0};
 	int number = 0;
 	for (int i = 0; i < 3; ++i)
 	{
@@ -219,8 +219,8 @@ TEST_F(CInterface, EventsOfWhatIsDestroyedAreNotTold)
 TEST_F(CInterface, TellsWhatCracksAndRuptures)
 {
 	// 30 x 30 cm of concrete with two bars is pulled at 0.1 m/s: it cracks throughout, then the bars rupture.
-	const btep_material concrete = {sizeof concrete, 30e9, 0.2, 30e6, 1e-5, 0.03, 0.1, 0.0035},
-						bar = {sizeof bar, 200e9, 0.3, 500e6, 0.01, 0.01, 1, 0};
+	const btep_material concrete = {sizeof concrete, 30e9, 0.2, 30e6, 1e-5, 0.03, 0.1, 0.0035, 0, 0, 0},
+						bar = {sizeof bar, 200e9, 0.3, 500e6, 0.01, 0.01, 1, 0, 0, 0, 0};
 	int section = 0, joint = 0, count = 0, heavy = 0;
 	m_cube.m_mass = 1e6;
 	ASSERT_EQ(BTEP_OK, btep_body_create(m_world, &m_cube, &heavy));
@@ -277,7 +277,7 @@ TEST_F(CInterface, TellsWhatCracksAndRuptures)
 
 TEST_F(CInterface, RefusesSectionsThatAreNone)
 {
-	btep_material steel = {sizeof steel, 200e9, 0.3, 2e8, 0.2, 0, 1, 0};
+	btep_material steel = {sizeof steel, 200e9, 0.3, 2e8, 0.2, 0, 1, 0, 0, 0, 0};
 	int section = 0, joint = 0;
 	EXPECT_EQ(BTEP_BAD_VALUE, btep_section_create(m_world, &steel, 0.3, 0.3, 1000, &section));
 	expectMessage("fibres");

@@ -159,6 +159,12 @@ btElasticPlasticMaterial Sequence::materialOfFibres()
 		material.m_rate = btElasticPlasticRate::of(m_chance.power(1, 1e4), m_chance.between(1, 10));
 	if (m_chance.oneIn(4))
 		material.m_crushingStrain = m_chance.power(1e-4, 1);
+	if (m_chance.oneIn(4))
+	{
+		material.m_friction = m_chance.between(0, 2);
+		material.m_shearStrength = m_chance.power(1e4, 1e9);
+		material.m_shearModulus = m_chance.power(1e8, 1e11);
+	}
 	return material;
 }
 
@@ -185,6 +191,8 @@ btElasticPlasticCapacity Sequence::capacity()
 	btElasticPlasticCapacity capacity = m_chance.oneIn(5) ? capacityWithFibres() : capacityOfSprings();
 	if (m_chance.oneIn(4))
 		capacity.m_damping = m_chance.between(0, 0.1);
+	if (m_chance.oneIn(6))
+		capacity.m_friction = m_chance.between(0, 2);
 	return capacity;
 }
 

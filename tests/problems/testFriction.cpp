@@ -100,6 +100,33 @@ TEST(Friction, IsAllThatIsLeftWhereTheBondIsTorn)
 	EXPECT_NEAR(FRICTION * 50e3 / 0.8, brick.push(50e3), 0.02 * FRICTION * 50e3 / 0.8);
 }
 
+TEST(Friction, LeavesFibresThatBearShearTheirStrength)
+{
+	// Steel under half of its axial strength and a shear of 0.7 of what it bears with friction, which is 1.7 times what it would bear without.
+	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(200e6));
+	steel.m_shearStrength = btScalar(20e6);
+	steel.m_friction = btScalar(0.4);
+	const btScalar side = btScalar(0.2);
+	World world(Solver::Direct, btVector3(0, 0, 0));
+	btCollisionShape* const box = world.box(btVector3(1, 1, 1));
+	btRigidBody* const ground = world.body(0, box, at(btScalar(-0.5)), false);
+	btRigidBody* const body = world.body(1000, box, at(btScalar(0.5)), false);
+	body->setAngularFactor(0);
+	btElasticPlasticJoint* const joint = world.joint(
+		*ground, *body, at(0),
+		btElasticPlasticCapacity::fromMember(steel, btElasticPlasticSection::rectangle(side, side).withFibres(), 1, 1));
+	const double pressure = 0.5 * 200e6 * 0.04, shear = 0.7 * (20e6 * 0.04 + 0.4 * pressure);
+	for (int i = 0; i < 480; ++i)
+	{
+		body->applyCentralForce(btVector3(btScalar(-pressure * std::min(1., i / 120.)),
+										  btScalar(shear * std::min(1., std::max(0., i / 120. - 1))), 0));
+		world.step(btScalar(1) / 240);
+	}
+	EXPECT_EQ(0, joint->getPlasticEnergy());
+	EXPECT_NEAR(shear, double(joint->getAppliedForce(BT_EP_SHEAR_Y)), 0.01 * shear);
+	EXPECT_NEAR(-pressure, double(joint->getAppliedForce(BT_EP_AXIAL)), 0.01 * pressure);
+}
+
 TEST(Friction, MakesNoEnergy)
 {
 	// Pressed to and fro by a tenth of its strength while it slides.
@@ -134,8 +161,14 @@ TEST(Friction, IsRefusedOutOfItsRange)
 	brick = mortar();
 	brick.m_shearStrength = -1;
 	EXPECT_STREQ("strength in shear [Pa]", brick.fault().m_quantity);
-	btElasticPlasticCapacity capacity;
-	capacity.m_friction = 3;
-	EXPECT_TRUE(capacity.fault());
+	brick = mortar();
+	brick.m_shearModulus = btScalar(NAN);
+	EXPECT_STREQ("shear modulus [Pa]", brick.fault().m_quantity);
+	for (const btScalar friction : {btScalar(-1), btScalar(3), btScalar(NAN), btScalar(INFINITY)})
+	{
+		btElasticPlasticCapacity capacity;
+		capacity.m_friction = friction;
+		EXPECT_STREQ("friction of shear forces under pressure", capacity.fault().m_quantity);
+	}
 }
 }  // namespace testFriction

@@ -86,10 +86,39 @@ TEST(FrozenBodies, MakeNoEnergy)
 				EXPECT_LT(row.energy(), 1.001 * energy) << i;
 				if (i > 20 && i < 60)
 				{
-					EXPECT_EQ(0, place.getOrigin().distance(frozen.getCenterOfMassPosition())) << i << " " << stops << int(solver);
+					EXPECT_EQ(0, place.getOrigin().distance(frozen.getCenterOfMassPosition()))
+						<< i << " " << stops << int(solver);
 					EXPECT_EQ(btVector3(1, 1, 1), frozen.getLinearFactor());
 				}
 			}
+		}
+}
+TEST(FrozenBodies, AreWithoutForceFromTheirLastMotionAndFromLoads)
+{
+	// Bullet keeps the velocity with which it has moved a body last, and the joint's spring went by it: 164 kN at rest. And it adds what loads do
+	// to a body's velocity, whether it can move or not.
+	for (const Solver solver : {Solver::Direct, Solver::Iterative})
+		for (const bool isLoaded : {false, true})
+		{
+			Row row(solver, btVector3(0, 0, 0));
+			for (btRigidBody* body : row.m_bodies)
+				body->setLinearVelocity(btVector3(1, 0, 0));
+			for (int i = 0; i < 240; ++i)
+			{
+				if (i == 20)
+					row.m_bodies[2]->forceActivationState(DISABLE_SIMULATION);
+				if (isLoaded && i > 120)
+					row.m_bodies[2]->applyCentralForce(btVector3(0, 1000, 0));
+				// The others come to rest.
+				if (i > 20)
+					for (int k = 0; k < 2; ++k)
+						row.m_bodies[k]->setLinearVelocity(row.m_bodies[k]->getLinearVelocity() * btScalar(0.8));
+				row.m_world.step(btScalar(1) / 60);
+			}
+			for (const btElasticPlasticJoint* joint : row.m_joints)
+				for (int dof = 0; dof < 3; ++dof)
+					EXPECT_NEAR(0, joint->getForce(dof), 200) << int(solver) << isLoaded << dof;
+			EXPECT_EQ(0, row.m_bodies[2]->getLinearVelocity().length());
 		}
 }
 }  // namespace testFrozenBodies

@@ -77,7 +77,9 @@ struct HeldBody
 	{
 		const btTransform middle = btTransform::getIdentity();
 		btCollisionShape* const cube = m_world.box(btVector3(1, 1, 1));
-		btRigidBody* const support = m_world.body(0, cube, middle, false);
+		// Smaller than the body around it: faces in one plane would flicker.
+		const btScalar within = btScalar(0.9);
+		btRigidBody* const support = m_world.body(0, m_world.box(btVector3(within, within, within)), middle, false);
 		m_body = m_world.body(3000, cube, middle, false);
 		m_world.joint(*support, *m_body, middle, capacity);
 	}

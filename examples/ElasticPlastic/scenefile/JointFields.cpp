@@ -53,6 +53,7 @@ bool capacityField(Fields& f, btElasticPlasticCapacity& capacity)
 		[&](Fields& inner)
 		{
 			inner.scalar("damping_ratio", capacity.m_damping, {0, .1}, "", "of critical, of a structure's modes");
+			inner.scalar("friction", capacity.m_friction, {0, 2}, "", "what pressure adds to both shears, over it");
 			inner.scalar("bow", capacity.m_length, Range::notNegative(), "m",
 						 "length of the member that bows between the bodies' centres; 0: it does not");
 			bool hasAny = false;

@@ -196,6 +196,7 @@ btElasticPlasticCapacity capacityOf(const btep_capacity& from)
 		capacity.m_coupling[i] = btScalar(from.m_coupling[i]);
 	capacity.m_length = btScalar(from.m_length);
 	capacity.m_damping = btScalar(from.m_damping);
+	capacity.m_friction = btScalar(from.m_friction);
 	return capacity;
 }
 
@@ -211,6 +212,7 @@ void write(const btElasticPlasticCapacity& from, btep_capacity& capacity)
 		capacity.m_coupling[i] = double(from.m_coupling[i]);
 	capacity.m_length = double(from.m_length);
 	capacity.m_damping = double(from.m_damping);
+	capacity.m_friction = double(from.m_friction);
 	capacity.m_fibres = 0;
 }
 
@@ -222,6 +224,9 @@ btElasticPlasticMaterial materialOf(const btep_material& from)
 	material.m_yieldStress = btScalar(from.m_yield_stress);
 	material.m_ultimatePlasticStrain = btScalar(from.m_ultimate_plastic_strain);
 	material.m_dampingRatio = btScalar(from.m_damping_ratio);
+	material.m_shearModulus = btScalar(from.m_shear_modulus);
+	material.m_shearStrength = btScalar(from.m_shear_strength);
+	material.m_friction = btScalar(from.m_friction);
 	material.m_tensileShare = btScalar(from.m_tensile_share);
 	material.m_crushingStrain = btScalar(from.m_crushing_strain);
 	return material;

@@ -22,7 +22,7 @@ extern "C"
 #endif
 
 /* Of this header. A library refuses programs that were compiled with another one. */
-#define BTEP_VERSION 3
+#define BTEP_VERSION 4
 
 	typedef struct btep_world btep_world;
 
@@ -75,6 +75,7 @@ extern "C"
 		double m_length;       /* of the member [m]; 0 by hand */
 		double m_damping;      /* damping ratio of the material, 0 (none) to 0.1 */
 		int m_fibres; /* number of the fibres of btep_capacity_of_section(); 0: forces and moments yield each by itself */
+		double m_friction; /* what pressure adds to the yield value of each shear, over it, 0 (nothing) to 2 */
 	};
 
 	struct btep_material
@@ -89,6 +90,10 @@ extern "C"
 		double
 			m_tensile_share; /* strength in tension over that in compression, >= 0; 1 of steel, 0: opens without a force */
 		double m_crushing_strain; /* > 0; 0: as the ultimate plastic strain */
+		/* Of all: */
+		double m_shear_modulus;  /* [Pa]; 0: by the modulus and the ratio */
+		double m_shear_strength; /* [Pa]; 0: half of the yield stress */
+		double m_friction;       /* what pressure adds to that, over it, 0 to 2 */
 	};
 
 	struct btep_joint_state

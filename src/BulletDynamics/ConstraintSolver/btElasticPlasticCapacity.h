@@ -44,8 +44,8 @@ struct btElasticPlasticCapacity
 	btScalar m_length;
 	/// Damping ratio of the material: of all modes, see btElasticPlasticMaterial. 0 to 0.1; 0: none.
 	btScalar m_damping;
-	/// What pressure adds to the yield values of both shear forces, over its force, 0 to 2; by that of the step before. Of a section with fibres the yield values
-	/// themselves, its bond, are by as many as are not cracked or torn. 0: none.
+	/// Coefficient of friction, 0 to 2: the yield value of each shear grows by this times the axial pressure with which the step begins. With fibres the
+	/// yield value without pressure, the bond, then counts for the share of the section alone that is neither cracked nor torn. 0: neither.
 	btScalar m_friction;
 	unsigned m_rigidPlastic;  ///< bit i: degree of freedom i does not spring, it only flows
 	/// Fibres of the section: axial force and bending moments then yield together, and m_yield in these three is only what each could

@@ -65,6 +65,7 @@ btElasticPlasticFault btElasticPlasticCheckNotNegative(const char* quantity, btS
 
 /// Fault for a damping ratio that is not from 0 to 0.1.
 btElasticPlasticFault btElasticPlasticCheckDampingRatio(btScalar value);
+/// From 0 to 2.
 btElasticPlasticFault btElasticPlasticCheckFriction(btScalar value);
 
 #endif  // BT_ELASTIC_PLASTIC_FAULT_H

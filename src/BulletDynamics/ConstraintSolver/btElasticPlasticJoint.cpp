@@ -125,8 +125,10 @@ btScalar btElasticPlasticJoint::getForce(int dof) const
 		force += read(branch, dof);
 	const btElasticPlasticCapacity& capacity = getCapacity();
 	// The sum of spring and damping may be rounded beyond the yield value, and by mode a spring may be strained beyond it for a step.
-	// Fibres that harden have none, and the shears of some sections with fibres bear more beside others than by themselves.
-	if (!capacity.isElasticPlastic(dof) || capacity.hasFibres() || capacity.m_friction > 0)
+	// Fibres that harden have none, and shears bear more under pressure with friction, and beside others in some sections with fibres.
+	const bool isShear = dof == BT_EP_SHEAR_Y || dof == BT_EP_SHEAR_Z;
+	if (!capacity.isElasticPlastic(dof) || (isShear && (capacity.hasFibres() || capacity.m_friction > 0)) ||
+		(capacity.hasFibres() && btElasticPlasticCapacity::isOfFibres(dof)))
 		return force;
 	return btMax(-capacity.m_yield[dof], btMin(capacity.m_yield[dof], force));
 }

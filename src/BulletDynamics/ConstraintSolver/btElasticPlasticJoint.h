@@ -66,7 +66,7 @@ public:
 
 	// ---- readings, all as of the last commit
 
-	/// Force or moment by the law, within the yield value [N], [N m]: stiffness times elastic deformation, and what the material's damping adds.
+	/// Force or moment by the law, within the yield value, which for shears may have grown by friction, [N], [N m]: stiffness times elastic deformation, and what the material's damping adds.
 	/// It acts on body A
 	/// along the joint's axis and on body B against it: positive axial force is tension. A solver that leaves an error
 	/// leaves elastic deformation that it has applied no force for: see getAppliedForce().
@@ -89,7 +89,7 @@ public:
 	/// Sum of the absolute values of plastic increments [m], [rad].
 	btScalar getPlasticPath(int dof) const;
 
-	/// |applied force| over yield: 1 is yield.
+	/// |applied force| over yield, of shears with what friction adds to it now: 1 is yield.
 	btScalar getUtilisation(int dof) const;
 
 	/// The largest utilisation, and which degree of freedom has it (-1: none). With fibres that of the section counts too: the sum of what

@@ -34,7 +34,7 @@ struct btElasticPlasticRate
 	static btElasticPlasticRate highTensileSteel() { return of(3200, 5); }
 	/// Aluminium alloys: 6500 1/s, 4 (Bodner and Symonds 1962).
 	static btElasticPlasticRate aluminium() { return of(6500, 4); }
-	/// Concrete under pressure: 3.3e8 1/s, 10.6, within 3 % of fib Model Code 2010, 5.1.11.2.1 ((rate / 30e-6 1/s)^0.014) from 1e-3 to 30 1/s.
+	/// Concrete under pressure: 3.3e8 1/s, 10.6, within 3.1 % of fib Model Code 2010, 5.1.11.2.1 ((rate / 30e-6 1/s)^0.014) from 1e-3 to 30 1/s.
 	static btElasticPlasticRate concrete() { return of(btScalar(3.3e8), btScalar(10.6)); }
 	/// Stainless steel 304: 100 1/s, 10 (Forrestal and Sagartz 1978).
 	static btElasticPlasticRate stainlessSteel() { return of(100, 10); }
@@ -48,7 +48,7 @@ struct btElasticPlasticRate
 	}
 };
 
-/// An isotropic, elastic-plastic material, perfectly plastic unless it has a curve of hardening. SI units.
+/// An elastic-plastic material, isotropic unless it has a shear modulus or strength of its own, perfectly plastic unless it has a curve of hardening. SI units.
 struct btElasticPlasticMaterial
 {
 	btScalar m_youngsModulus = btScalar(200e9);  ///< E [Pa], > 0
@@ -81,9 +81,11 @@ struct btElasticPlasticMaterial
 	btElasticPlasticShearYield m_shearYield = BT_EP_TRESCA;
 	/// G [Pa], >= 0, of a material that is not isotropic, such as timber; 0: E / (2 (1 + nu)).
 	btScalar m_shearModulus = 0;
-	/// tau_y [Pa], >= 0, of a material that knows no criterion of yield, such as concrete, timber and masonry; 0: by m_shearYield.
+	/// tau_y [Pa], >= 0, of a material whose strength in shear does not follow from a yield criterion, such as concrete, timber and masonry; 0: by
+	/// m_shearYield.
 	btScalar m_shearStrength = 0;
-	/// How much pressure adds to the strength in shear: tau_y + m_friction p (Mohr and Coulomb), 0 to 2. Of shear forces; torsion does not know it.
+	/// How much pressure adds to the strength in shear: tau_y + m_friction p (Mohr and Coulomb), 0 to 2. Torsion is not affected. See
+	/// btElasticPlasticCapacity::m_friction.
 	btScalar m_friction = 0;
 
 	/// G

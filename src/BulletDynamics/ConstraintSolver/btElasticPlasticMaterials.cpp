@@ -9,9 +9,9 @@ namespace
 {
 enum RateKind
 {
-	NONE,
+	NO_RATE,
 	MILD,
-	TENSILE,
+	HIGH_TENSILE,
 	ALLOY,
 	PRESSED  ///< concrete
 };
@@ -29,7 +29,7 @@ struct Line
 	double m_ultimateStrain;  ///< plastic, in tension
 	double m_crushingStrain;  ///< plastic; 0: the same
 	double m_damping;         ///< [%] of critical
-	RateKind m_rate = NONE;
+	RateKind m_rate = NO_RATE;
 	double m_shear = 0;         ///< strength [MPa], 0: by von Mises
 	double m_shearModulus = 0;  ///< [GPa], 0: isotropic
 	double m_friction = 0;
@@ -52,17 +52,17 @@ double crushing(double strength, double youngs) { return 0.0035 - strength / (10
 const Line TABLE[] = {
 	{"S235", STEEL, 210, 0.3, 7850, 235, 235, 0.26, 0, 1, MILD},
 	{"S275", STEEL, 210, 0.3, 7850, 275, 275, 0.23, 0, 1, MILD},
-	{"S355", STEEL, 210, 0.3, 7850, 355, 355, 0.22, 0, 1, TENSILE},
-	{"S420", FINE_STEEL, 210, 0.3, 7850, 420, 420, 0.19, 0, 1, TENSILE},
-	{"S460", FINE_STEEL, 210, 0.3, 7850, 460, 460, 0.17, 0, 1, TENSILE},
+	{"S355", STEEL, 210, 0.3, 7850, 355, 355, 0.22, 0, 1, HIGH_TENSILE},
+	{"S420", FINE_STEEL, 210, 0.3, 7850, 420, 420, 0.19, 0, 1, HIGH_TENSILE},
+	{"S460", FINE_STEEL, 210, 0.3, 7850, 460, 460, 0.17, 0, 1, HIGH_TENSILE},
 	{"A992", "ASTM A992: 50 ksi, 18 % in 8 in; AISC 360 for the modulus", 200, 0.3, 7850, 345, 345, 0.18, 0, 1,
-	 TENSILE},
-	{"bolt 4.6", BOLTS, 210, 0.3, 7850, 240, 240, 0.22, 0, 1, TENSILE},
-	{"bolt 8.8", BOLTS, 210, 0.3, 7850, 640, 640, 0.12, 0, 1, TENSILE},
-	{"bolt 10.9", BOLTS, 210, 0.3, 7850, 900, 900, 0.09, 0, 1, TENSILE},
-	{"B500A", BARS, 200, 0.3, 7850, 500, 500, 0.025, 0, 1, TENSILE},
-	{"B500B", BARS, 200, 0.3, 7850, 500, 500, 0.05, 0, 1, TENSILE},
-	{"B500C", BARS, 200, 0.3, 7850, 500, 500, 0.075, 0, 1, TENSILE},
+	 HIGH_TENSILE},
+	{"bolt 4.6", BOLTS, 210, 0.3, 7850, 240, 240, 0.22, 0, 1, HIGH_TENSILE},
+	{"bolt 8.8", BOLTS, 210, 0.3, 7850, 640, 640, 0.12, 0, 1, HIGH_TENSILE},
+	{"bolt 10.9", BOLTS, 210, 0.3, 7850, 900, 900, 0.09, 0, 1, HIGH_TENSILE},
+	{"B500A", BARS, 200, 0.3, 7850, 500, 500, 0.025, 0, 1, HIGH_TENSILE},
+	{"B500B", BARS, 200, 0.3, 7850, 500, 500, 0.05, 0, 1, HIGH_TENSILE},
+	{"B500C", BARS, 200, 0.3, 7850, 500, 500, 0.075, 0, 1, HIGH_TENSILE},
 	{"C20/25", CONCRETE, 30, 0.2, 2400, 20, 0, 0.0035, crushing(20, 30), 3, PRESSED, 1.5},
 	{"C25/30", CONCRETE, 31, 0.2, 2400, 25, 0, 0.0035, crushing(25, 31), 3, PRESSED, 1.8},
 	{"C30/37", CONCRETE, 33, 0.2, 2400, 30, 0, 0.0035, crushing(30, 33), 3, PRESSED, 2},
@@ -72,13 +72,14 @@ const Line TABLE[] = {
 	{"C50/60", CONCRETE, 37, 0.2, 2400, 50, 0, 0.0035, crushing(50, 37), 3, PRESSED, 2.9},
 	{"6061-T6", ALUMINIUM, 70, 0.3, 2700, 240, 240, 0.08, 0, 1, ALLOY},
 	{"6082-T6", ALUMINIUM, 70, 0.3, 2700, 260, 260, 0.1, 0, 1, ALLOY},
-	{"GJL-250", "EN 1561, annex A: typical values of EN-GJL-250", 110, 0.26, 7200, 840, 250, 0.003, 0.1, 1, NONE, 290},
-	{"C24 along", TIMBER, 11, 0.3, 420, 21, 14, 0.001, 0.01, 4, NONE, 4, 0.69},
-	{"C24 across", ACROSS, 0.37, 0.3, 420, 2.5, 0.4, 0.001, 0.05, 4, NONE, 0.8, 0.069},
+	{"GJL-250", "EN 1561, annex A: typical values of EN-GJL-250", 110, 0.26, 7200, 840, 250, 0.003, 0.1, 1, NO_RATE,
+	 290},
+	{"C24 along", TIMBER, 11, 0.3, 420, 21, 14, 0.001, 0.01, 4, NO_RATE, 4, 0.69},
+	{"C24 across", ACROSS, 0.37, 0.3, 420, 2.5, 0.4, 0.001, 0.05, 4, NO_RATE, 0.8, 0.069},
 	{"clay brick",
 	 "EN 1996-1-1, 3.6 to 3.8: f_k = 5 MPa, E = 1000 f_k, G = 0.4 E, bond 0.1 MPa across bed joints; shear 3.6.2: 0.2 "
 	 "MPa and 0.4 of the pressure",
-	 5, 0.2, 1800, 5, 0.1, 1e-4, crushing(5, 5), 5, NONE, 0.2, 2, 0.4},
+	 5, 0.2, 1800, 5, 0.1, 1e-4, crushing(5, 5), 5, NO_RATE, 0.2, 2, 0.4},
 	{"float glass", "EN 572-1: modulus, density, 45 MPa in bending", 70, 0.2, 2500, 45, 45, 1e-5, 0, 1},
 	{"toughened glass", "EN 572-1; EN 12150-1: 120 MPa in bending", 70, 0.2, 2500, 120, 120, 1e-5, 0, 1},
 };
@@ -108,13 +109,13 @@ btElasticPlasticRate rateOf(RateKind kind)
 	{
 		case MILD:
 			return btElasticPlasticRate::mildSteel();
-		case TENSILE:
+		case HIGH_TENSILE:
 			return btElasticPlasticRate::highTensileSteel();
 		case ALLOY:
 			return btElasticPlasticRate::aluminium();
 		case PRESSED:
 			return btElasticPlasticRate::concrete();
-		case NONE:
+		case NO_RATE:
 			break;
 	}
 	return btElasticPlasticRate();

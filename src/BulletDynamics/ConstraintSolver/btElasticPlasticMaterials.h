@@ -11,8 +11,8 @@
 /// Strengths are characteristic values without safety factors, of parts at most 16 mm thick where that matters; the ultimate strain is
 /// what the standard asks for at least. Of materials that bear less in tension than in compression m_yieldStress is the strength in
 /// compression, and m_tensileShare the rest: use them in sections with fibres (btElasticPlasticSection::withFibres), since independent
-/// degrees of freedom know one strength only. Strength in shear is von Mises' of metals, and their own of concrete (without stirrups), timber, cast iron and
-/// masonry, whose mortar rubs under pressure, too.
+/// degrees of freedom know one strength only. Ductile metals yield in shear by von Mises; concrete (without stirrups), timber, cast iron
+/// and masonry have strengths of their own, and in masonry friction adds to it.
 ///
 /// Compared with printed tables of these standards: all strengths and moduli but those below; the strains of concrete, bars and A992.
 /// Named after their standard, but not compared: strengths in shear; the elongations of steels S235 to S460, of bolts and of aluminium; of cast iron all but the tensile

@@ -3,6 +3,7 @@
 
 #include "btElasticPlasticMultiBodyConstraintSolver.h"
 
+#include "ElasticPlastic/solver/FrozenBodies.h"
 #include "ElasticPlastic/solver/MultiBodyGroup.h"
 
 struct btElasticPlasticMultiBodyConstraintSolver::Group : btElasticPlastic::MultiBodyGroup
@@ -34,6 +35,7 @@ void btElasticPlasticMultiBodyConstraintSolver::solveMultiBodyGroup(
 	group.m_constraints = constraints;
 	group.m_numConstraints = numConstraints;
 	const bool hasJoints = m_group->split(*m_works, group, numMultiBodyConstraints > 0);
+	const btElasticPlastic::FrozenBodies frozen(bodies, hasJoints ? numBodies : 0);
 	if (hasJoints)
 		group = m_group->beginRest(info.m_timeStep);
 	if (!hasJoints || group.m_numBodies > 0)

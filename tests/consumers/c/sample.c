@@ -28,8 +28,8 @@ int main(void)
 {
 	const double gravity[3] = {0, -10, 0}, middle[3] = {0, -1, 0};
 	const double down[4] = {0, 0, -0.70710678118654752, 0.70710678118654752}; /* x points from A to B */
-	const struct btep_material steel = {sizeof steel, 200e9, 0.3, 200e6, 0.2, 0.01, 1, 0};
-	struct btep_capacity rod = {sizeof rod, {0}, {0}, {0}, {0}, 0, 0, 0};
+	const struct btep_material steel = {sizeof steel, 200e9, 0.3, 200e6, 0.2, 0.01, 1, 0, 0, 0, 0};
+	struct btep_capacity rod = {sizeof rod, {0}, {0}, {0}, {0}, 0, 0, 0, 0};
 	struct btep_joint_state state = {sizeof state, {0}, {0}, 0, 0, 0, 0, 0, 0};
 	struct btep_event event = {sizeof event, 0, 0, 0, 0, 0, {0}, {0}, {0}, 0, 0};
 	int support, load, joint = 0, i, breaks = 0;

@@ -25,7 +25,7 @@ static class Btep
 	public struct Material
 	{
 		public UIntPtr size;
-		public double youngsModulus, poissonsRatio, yieldStress, ultimatePlasticStrain, dampingRatio, tensileShare, crushingStrain;
+		public double youngsModulus, poissonsRatio, yieldStress, ultimatePlasticStrain, dampingRatio, tensileShare, crushingStrain, shearModulus, shearStrength, friction;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]
@@ -38,6 +38,7 @@ static class Btep
 		[MarshalAs(UnmanagedType.ByValArray, SizeConst = 2)] public double[] coupling;
 		public double length, damping;
 		public int fibres;
+		public double friction;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]

@@ -16,6 +16,9 @@ bool isWellFormed(const btRigidBody& body);
 /// Whether the user has taken a body out of the simulation: Bullet does not move it, whatever its velocity.
 inline bool isFrozen(const btRigidBody& body) { return body.getActivationState() == DISABLE_SIMULATION; }
 
+/// Whether a body stands, or goes its way, whatever acts on it.
+inline bool isHeld(const btRigidBody& body) { return body.isStaticOrKinematicObject() || isFrozen(body); }
+
 /// \return a fault if a body that can move is in no world, or is a collision object of another kind that was cast to a rigid body
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA);
 

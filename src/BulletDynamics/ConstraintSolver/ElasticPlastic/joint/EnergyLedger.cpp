@@ -34,7 +34,7 @@ int EnergyLedger::indexOf(const JointWorks& joint, int side)
 	btRigidBody& body = side ? joint.m_model.bodyB() : joint.m_model.bodyA();
 	const int place = body.getWorldArrayIndex();
 	// Another action may have taken the body out of the world within the step.
-	if (place < 0 || !(body.getInvMass() > 0) || body.isStaticOrKinematicObject() || isFrozen(body))
+	if (place < 0 || !(body.getInvMass() > 0) || isHeld(body))
 		return -1;
 	if (size_t(place) >= m_indices.size())
 		m_indices.resize(size_t(place) + 1, -1);
@@ -187,7 +187,7 @@ RigidMotion EnergyLedger::findReference(const Account& account) const
 	{
 		const JointModel& model = m_entries[i].m_joint->m_model;
 		for (const btRigidBody* body : {&model.bodyA(), &model.bodyB()})
-			if (body->isStaticOrKinematicObject() || isFrozen(*body))
+			if (isHeld(*body))
 				return body->isKinematicObject() ? RigidMotion::of(*body) : RigidMotion();
 	}
 	return RigidMotion::of(m_parts.data(), int(m_parts.size()));

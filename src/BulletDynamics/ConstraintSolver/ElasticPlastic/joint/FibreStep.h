@@ -29,8 +29,12 @@ namespace btElasticPlastic
 class FibreStep
 {
 public:
-	/// \param damping  that of the step
-	FibreStep(JointModel& model, const MaterialDamping& damping) : m_model(model), m_damping(damping) {}
+	/// \param damping     that of the step
+	/// \param shearYield  yield values of both shears in the step, before fibres and shears take of each other
+	FibreStep(JointModel& model, const MaterialDamping& damping, const btScalar* shearYield)
+		: m_model(model), m_damping(damping), m_shearYield(shearYield)
+	{
+	}
 
 	/// Has the processor load what a step uses of the fibres, whose memory lies elsewhere.
 	void prefetch() const;
@@ -43,14 +47,13 @@ public:
 	};
 
 	/// Before all rows of the step are made: what shears and torsion leave of the fibres and of each other.
-	/// \param pressure  on the section, with which the step begins
-	void beginShear(const Motion& motion, btScalar pressure, btScalar dt)
-	{
-		m_pressure = pressure;
-		m_interaction.find(m_model, motion.m_rate, dt);
-	}
+	void beginShear(const Motion& motion, btScalar dt) { m_interaction.find(m_model, m_shearYield, motion.m_rate, dt); }
 	/// The yield value of a shear or torsion in the step.
-	btScalar yieldOf(int dof) const { return m_interaction.getShare(dof) * m_model.yieldUnder(m_pressure, dof); }
+	btScalar yieldOf(int dof) const
+	{
+		return m_interaction.getShare(dof) *
+			   (dof == BT_EP_TORSION ? m_model.m_capacity.m_yield[dof] : m_shearYield[dof - BT_EP_SHEAR_Y]);
+	}
 
 	/// Makes the fibres' rows, and couples them with those of the shears.
 	/// \param strain    of the joint's six degrees of freedom, as the step meets it
@@ -187,7 +190,7 @@ private:
 	btAlignedObjectArray<Mapped> m_mapped;
 	CoupledBundle m_bundle;
 	ShearInteraction m_interaction;
-	btScalar m_pressure = 0;
+	const btScalar* m_shearYield;
 	btAlignedObjectArray<Loss> m_losses;
 };
 }  // namespace btElasticPlastic

@@ -97,7 +97,8 @@ bool JointStep::evaluate(btScalar dt)
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
-	m_pressure = -m_model.m_state.m_force[BT_EP_AXIAL];
+	for (int i = 0; i < 2; ++i)
+		m_shearYield[i] = m_model.yieldUnder(-m_model.m_state.m_force[BT_EP_AXIAL], BT_EP_SHEAR_Y + i);
 	const btScalar damping = m_model.m_capacity.m_damping;
 	if (!m_damping.isFor(damping, dt))
 		m_damping = MaterialDamping(damping, dt);
@@ -328,7 +329,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		motion.m_turn[1] = diagonal.about(k.m_axis[2]);
 		for (int r = 0; r < m_numRows; ++r)
 			motion.m_rate[m_row[r].m_dof] = getRateBefore(r);
-		m_fibres.beginShear(motion, m_pressure, dt);
+		m_fibres.beginShear(motion, dt);
 	}
 	rows.m_numRows = getNumPlainRows();
 	rows.m_numFibres = 0;
@@ -634,9 +635,10 @@ void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) co
 {
 	const Kinematics& k = m_kinematics;
 	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
-	// Bullet does not move what is static, and leaves it the velocities of its last motion.
+	// Bullet does not move what is static or frozen, and leaves it the velocities of its last motion.
 	const btVector3 still(0, 0, 0);
-	const auto moves = [](const btRigidBody& body) { return !body.isStaticObject() || body.isKinematicObject(); };
+	const auto moves = [](const btRigidBody& body)
+	{ return (!body.isStaticObject() || body.isKinematicObject()) && !isFrozen(body); };
 	const auto spinOf = [&](const btRigidBody& body)
 	{ return moves(body) ? body.getInterpolationAngularVelocity() : still; };
 	const auto velocityOf = [&](const btRigidBody& body)

@@ -19,7 +19,7 @@ namespace btElasticPlastic
 class JointStep
 {
 public:
-	explicit JointStep(JointModel& model) : m_model(model), m_fibres(model, m_damping) {}
+	explicit JointStep(JointModel& model) : m_model(model), m_fibres(model, m_damping, m_shearYield) {}
 
 	// ---- pose and step -> rows
 
@@ -255,7 +255,10 @@ private:
 	/// In the step.
 	btScalar yieldOf(int dof) const
 	{
-		return m_usesFibres ? m_fibres.yieldOf(dof) : m_model.yieldUnder(m_pressure, dof);
+		if (m_usesFibres)
+			return m_fibres.yieldOf(dof);
+		return dof == BT_EP_SHEAR_Y || dof == BT_EP_SHEAR_Z ? m_shearYield[dof - BT_EP_SHEAR_Y]
+															: m_model.m_capacity.m_yield[dof];
 	}
 	void damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres);
 	double strainEnergy(const btScalar strains[BT_EP_DOF_COUNT]) const;
@@ -270,7 +273,6 @@ private:
 	btScalar m_erp = 0;
 	double m_given = 0;  ///< see setWork()
 	bool m_hasRecovery = false, m_isCut = false, m_isFree = false, m_usesFibres = false, m_isWorkKnown = false;
-	btScalar m_pressure = 0;               ///< on the section, with which the step began [N]
 	bool m_areAlike = false;               ///< all rows are springs of one law, see SpringLanes
 	bool m_isTensionKnown = false;         ///< m_tension is the step's, see foreseeTension()
 	btScalar m_tension[3] = {};            ///< along the joint's axes [N]
@@ -283,6 +285,8 @@ private:
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];
 	signed char m_lastBound[BT_EP_DOF_COUNT] = {};
+	btScalar m_shearYield[2] =
+		{};  ///< yield values of both shears in the step, with friction: what cracks in it has its bond until the end [N]
 	FibreStep m_fibres;
 };
 }  // namespace btElasticPlastic

@@ -33,13 +33,16 @@ namespace btElasticPlastic
 /// The maximum is searched by weighted least squares: F is borne by springs w_i / n_i with the n_i of the search before. Each
 /// search makes h less.
 ///
-/// All of this follows from the forces and velocities with which the step begins, and bounds are fixed within the step, as they are for any other
+/// What slips elastically, by the rate of the forces in the last step, is no flow: light parts that rock between stiff joints slip to and fro.
+///
+/// All of this follows from the forces, their rates and the velocities with which the step begins, and bounds are fixed within the step, as they are for any other
 /// row. Its error is of the first order of the step: in one step forces may grow beyond the surface, and in the next one they flow back to it.
 class ShearInteraction
 {
 public:
-	/// \param rate  of strain, with which the step begins
-	void find(const JointModel& model, const btScalar rate[BT_EP_DOF_COUNT], btScalar dt);
+	/// \param shearYield  yield values of both shears in the step
+	/// \param rate        of strain, with which the step begins
+	void find(const JointModel& model, const btScalar shearYield[2], const btScalar rate[BT_EP_DOF_COUNT], btScalar dt);
 
 	/// Whether anything is taken of the fibres' strength.
 	bool isAny() const { return m_left.size() > 0; }
@@ -80,10 +83,11 @@ private:
 
 	std::vector<Fibre> m_fibres;
 	double m_alone[6];  ///< what the section bears of N, M_y, M_z, V_y, V_z, T by itself, about the middle [N], [N m]
-	double m_mostShare[3];  ///< of shears and torsion, over what each could be by itself, if others act as well
-	double m_middle[3];     ///< N, M_y, M_z in the middle of fibres of unequal strengths
-	Matrix m_matrix;        ///< of the last search, of shears and torsion, inverted
-	double m_most = 0;      ///< sum of w n with which it was made
+	/// Of shears and torsion, over what each could be by itself: above 1 where another one lets it, as of angles with unequal legs.
+	double m_mostShare[3];
+	double m_middle[3];                     ///< N, M_y, M_z in the middle of fibres of unequal strengths
+	Matrix m_matrix;                        ///< of the last search, of shears and torsion, inverted
+	double m_most = 0;                      ///< sum of w n with which it was made
 	btAlignedObjectArray<btScalar> m_left;  ///< none: all of it
 	btScalar m_share[3] = {1, 1, 1};
 };

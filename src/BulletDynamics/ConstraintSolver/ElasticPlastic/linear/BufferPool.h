@@ -16,7 +16,7 @@ namespace btElasticPlastic
 class BufferPool
 {
 public:
-	/// Makes a buffer whose memory the system has given when it is taken for the first time.
+	/// Makes a buffer whose pages the system has provided already: it is filled with zeros.
 	void reserve(size_t size) { m_free.emplace_back(size); }
 
 	/// \param buffer  gets at least so many numbers, which mean nothing

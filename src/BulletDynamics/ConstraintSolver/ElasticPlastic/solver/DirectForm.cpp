@@ -174,7 +174,8 @@ void DirectForm::addBodies(const SolverPools& pools)
 	{
 		const btRigidBody* body = pools.m_bodies[i].m_originalBody;
 		// A kinematic body moves as it is told, even if it still has a mass.
-		const bool moves = body && body->getInvMass() > 0 && !body->isKinematicObject() && isWellFormed(*body);
+		const bool moves =
+			body && body->getInvMass() > 0 && !body->isKinematicObject() && !isFrozen(*body) && isWellFormed(*body);
 		m_index.push_back(moves ? OUTSIDE : STILL);
 		if (!m_sweepsContacts)
 			addBody(i, pools);
@@ -209,7 +210,9 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 	const double most = joint.m_model.m_constraint.getBreakingImpulseThreshold();
 	Joint entry = {
 		&joint, m_input.getNumRows(), {addBody(solverBodies[0], pools), addBody(solverBodies[1], pools)}, 0, 0, false};
-	const bool isUnit = isFree(A) && isFree(B);
+	const auto isFreeOrStill = [&](int side, const btSolverBody& body)
+	{ return entry.m_bodies[side] < 0 || isFree(body); };
+	const bool isUnit = isFreeOrStill(0, A) && isFreeOrStill(1, B);
 	if (isUnit)
 		addUnit(rows, entry.m_bodies);
 	else

@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "../joint/BodyGate.h"
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
@@ -178,7 +179,7 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 		if (island.m_joints[i])
 			for (const btRigidBody* body :
 				 {&island.m_constraints[i]->getRigidBodyA(), &island.m_constraints[i]->getRigidBodyB()})
-				if (body->isStaticOrKinematicObject())
+				if (isHeld(*body))
 					open.addSupport(*body, island.m_joints[i]->m_step.getKinematics().m_rA +
 											   island.m_constraints[i]->getRigidBodyA().getCenterOfMassPosition());
 	return open;

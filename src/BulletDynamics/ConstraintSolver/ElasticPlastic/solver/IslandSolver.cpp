@@ -5,6 +5,7 @@
 
 #include "../joint/BodyGate.h"
 #include "../linear/ScopedTimer.h"
+#include "FrozenBodies.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
@@ -65,45 +66,6 @@ void giveWokenTheirWeight(btCollisionObject** bodies, int numBodies)
 			body->applyGravity();
 	}
 }
-
-/// Holds the bodies of an island that the user has taken out of the simulation (DISABLE_SIMULATION) for as long as it lives. Bullet solves them as if
-/// they could move, and leaves them where they are: what others do to them would be lost to these, and done again in the next step.
-class FrozenBodies
-{
-public:
-	FrozenBodies(btCollisionObject** bodies, int numBodies)
-	{
-		for (int i = 0; i < numBodies; ++i)
-		{
-			btRigidBody* const body = btRigidBody::upcast(bodies[i]);
-			if (!body || !isFrozen(*body) || body->getInvMass() == 0)
-				continue;
-			m_bodies.push_back({body, body->getLinearFactor(), body->getAngularFactor()});
-			body->setLinearFactor(btVector3(0, 0, 0));
-			body->setAngularFactor(btVector3(0, 0, 0));
-			body->setLinearVelocity(btVector3(0, 0, 0));
-			body->setAngularVelocity(btVector3(0, 0, 0));
-		}
-	}
-	FrozenBodies(const FrozenBodies&) = delete;
-	FrozenBodies& operator=(const FrozenBodies&) = delete;
-	~FrozenBodies()
-	{
-		for (int i = 0; i < m_bodies.size(); ++i)
-		{
-			m_bodies[i].m_body->setLinearFactor(m_bodies[i].m_linearFactor);
-			m_bodies[i].m_body->setAngularFactor(m_bodies[i].m_angularFactor);
-		}
-	}
-
-private:
-	struct Body
-	{
-		btRigidBody* m_body;
-		btVector3 m_linearFactor, m_angularFactor;
-	};
-	btAlignedObjectArray<Body> m_bodies;
-};
 }  // namespace
 
 SolverPools IslandSolver::pools()
@@ -274,8 +236,7 @@ bool areFree(const btAlignedObjectArray<btSolverBody>& bodies)
 	for (int i = 0; i < bodies.size(); ++i)
 	{
 		const btRigidBody* const body = bodies[i].m_originalBody;
-		if (!body || body->isStaticOrKinematicObject() || !body->getTotalForce().isZero() ||
-			!body->getTotalTorque().isZero())
+		if (!body || isHeld(*body) || !body->getTotalForce().isZero() || !body->getTotalTorque().isZero())
 			return false;
 	}
 	return true;

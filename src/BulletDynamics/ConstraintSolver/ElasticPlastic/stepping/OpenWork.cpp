@@ -4,6 +4,7 @@
 #include "OpenWork.h"
 
 #include "../../btElasticPlasticJoint.h"
+#include "../joint/BodyGate.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 
 namespace btElasticPlastic
@@ -43,13 +44,13 @@ void OpenWork::addJoints(const btAlignedObjectArray<btElasticPlasticJoint*>& joi
 	{
 		const btElasticPlasticJoint& joint = *joints[i];
 		const btRigidBody &a = joint.getConstraint().getRigidBodyA(), &b = joint.getConstraint().getRigidBodyB();
-		const bool isHeld = a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject();
-		const int tag = (a.isStaticOrKinematicObject() ? b : a).getIslandTag();
+		const bool isAHeld = isHeld(a);
+		const int tag = (isAHeld ? b : a).getIslandTag();
 		if (tag < 0 || tag >= m_islands.size())
 			continue;
 		OpenShare& island = m_islands[tag];
-		if (isHeld)
-			island.addSupport(a.isStaticOrKinematicObject() ? a : b, joint.getPosition());
+		if (isAHeld || isHeld(b))
+			island.addSupport(isAHeld ? a : b, joint.getPosition());
 		const double place = double(joint.getPosition().length()) + 1, length = joint.getState().m_lastStep;
 		for (int r = 0; r < joint.getNumCommittedRows(); ++r)
 		{
