@@ -20,7 +20,7 @@ MUTATIONS = [
              "(3.1 * E * section.m_secondMoment[1 - i]", "*Member*:*Capacity*:*Frames*"),
     Mutation("sign of the coupling", "btElasticPlasticCapacity.cpp", "(i == 0 ? -middle : middle)",
              "(i == 0 ? middle : -middle)", "*Frames*:*Member*"),
-    Mutation("work of shear in ductility", "btElasticPlasticCapacity.cpp", "plastic * fy / tau", "plastic * tau / fy",
+    Mutation("work of shear in ductility", "btElasticPlasticCapacity.cpp", ": fy / tau);", ": tau / fy);",
              "*Capacity*:*Ductility*"),
     # ---- kinematics
     Mutation("arms meet off the middle", "Kinematics.cpp", "m_rB = armB.rounded() - d * btScalar(0.5)",
