@@ -5,6 +5,7 @@
 
 #include <math.h>
 
+#include "BodyGate.h"
 #include "BodyLoad.h"
 #include "Diagonal.h"
 
