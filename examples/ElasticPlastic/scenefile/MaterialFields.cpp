@@ -241,9 +241,11 @@ void materialFields(Fields& f, SceneDescription::Material& m)
 	if (isRated && index == 0)
 		f.refuse("rated", "is for a material that is one of the library's: name it by ready");
 	else if (isRated)
+	{
 		law.m_rate = btElasticPlasticReadyMaterial::at(int(index) - 1).m_rate;
-	if (isRated && index > 0 && law.m_rate.m_reference == 0)
-		f.refuse("rated", "is for a material whose rate is known: give it by rate");
+		if (law.m_rate.m_reference == 0)
+			f.refuse("rated", "is for a material whose rate is known: give it by rate");
+	}
 	f.scalar("youngs_modulus", law.m_youngsModulus, Range::above(0), "Pa", "E");
 	f.scalar("poissons_ratio", law.m_poissonsRatio, {-1, .5, true}, "", "nu");
 	f.scalar("density", law.m_density, {0, 1e6, true}, "kg/m^3", "of bodies made of it");

@@ -42,9 +42,10 @@ const char* const BARS = "EN 1992-1-1, 3.2.7 and table C.1";
 const char* const CONCRETE =
 	"EN 1992-1-1, table 3.1 and 3.1.3; no tension as in 6.1; shear without pressure 12.6.3: f_ctk,0.05";
 const char* const ALUMINIUM = "EN 1999-1-1, 3.2.5 and table 3.2b, extruded, 6082 of more than 5 mm";
-const char *const TIMBER = "EN 338:2009, C24", *const ACROSS =
-												   "EN 338:2009, C24; shear that rolls fibres by EN 1995-1-1, 6.1.7: "
-												   "twice the tension; its modulus a tenth of that along";
+const char* const TIMBER = "EN 338:2009, C24";
+const char* const TIMBER_ACROSS =
+	"EN 338:2009, C24; shear that rolls fibres by EN 1995-1-1, 6.1.7: twice the tension; its "
+	"modulus a tenth of that along";
 
 /// Crushed at a strain of 0.35 %, of which the plastic part is given.
 double crushing(double strength, double youngs) { return 0.0035 - strength / (1000 * youngs); }
@@ -75,7 +76,7 @@ const Line TABLE[] = {
 	{"GJL-250", "EN 1561, annex A: typical values of EN-GJL-250", 110, 0.26, 7200, 840, 250, 0.003, 0.1, 1, NO_RATE,
 	 290},
 	{"C24 along", TIMBER, 11, 0.3, 420, 21, 14, 0.001, 0.01, 4, NO_RATE, 4, 0.69},
-	{"C24 across", ACROSS, 0.37, 0.3, 420, 2.5, 0.4, 0.001, 0.05, 4, NO_RATE, 0.8, 0.069},
+	{"C24 across", TIMBER_ACROSS, 0.37, 0.3, 420, 2.5, 0.4, 0.001, 0.05, 4, NO_RATE, 0.8, 0.069},
 	{"clay brick",
 	 "EN 1996-1-1, 3.6 to 3.8: f_k = 5 MPa, E = 1000 f_k, G = 0.4 E, bond 0.1 MPa across bed joints; shear 3.6.2: 0.2 "
 	 "MPa and 0.4 of the pressure",

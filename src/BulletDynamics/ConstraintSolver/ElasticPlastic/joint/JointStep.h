@@ -285,8 +285,8 @@ private:
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];
 	signed char m_lastBound[BT_EP_DOF_COUNT] = {};
-	btScalar m_shearYield[2] =
-		{};  ///< yield values of both shears in the step, with friction: what cracks in it has its bond until the end [N]
+	/// Yield values of both shears in the step, with friction [N]: what cracks in it has its bond until the end.
+	btScalar m_shearYield[2] = {};
 	FibreStep m_fibres;
 };
 }  // namespace btElasticPlastic
