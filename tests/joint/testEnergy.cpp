@@ -10,8 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "support/Precision.h"
-#include "world/World.h"
 #include "support/Run.h"
+#include "world/Place.h"
+#include "world/World.h"
 
 namespace testEnergy
 {

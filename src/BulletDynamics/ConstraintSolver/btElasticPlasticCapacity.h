@@ -49,8 +49,8 @@ struct btElasticPlasticCapacity
 	btScalar m_friction;
 	unsigned m_rigidPlastic;  ///< bit i: degree of freedom i does not spring, it only flows
 	/// Fibres of the section: axial force and bending moments then yield together, and m_yield in these three is only what each could
-	/// be by itself. None: they yield independently. They are for the direct form of btElasticPlasticConstraintSolver; others take the
-	/// independent yield values.
+	/// be by itself. None: they yield independently. They are for btElasticPlasticConstraintSolver; others take the independent
+	/// yield values.
 	btAlignedObjectArray<btElasticPlasticFibre> m_fibres;
 	btAlignedObjectArray<btElasticPlasticCurvePoint> m_curvePoints;  ///< of fibres whose strength changes as they flow
 	btElasticPlasticFault m_fault;  ///< of the material, section or length it was made from

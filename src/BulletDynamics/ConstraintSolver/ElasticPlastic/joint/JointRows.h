@@ -10,6 +10,9 @@
 
 namespace btElasticPlastic
 {
+/// The least compliance that solvers give a row, as a share of its A: it changes the twelfth digit of the result.
+const double HARD = 1e-12;
+
 /// A joint's rows of one step, for a solver that adds compliance to the diagonal.
 struct JointRows
 {

@@ -43,12 +43,11 @@ int JointStep::prepare(bool knowsFibres)
 	for (int dof = 0; dof < 3; ++dof)
 		if (isPlain(dof))
 			m_row[m_numRows++].m_dof = dof;
-	const int numPlain = m_numRows;
 	// In the order of what fibres add up to.
 	for (int dof = 0; dof < BT_EP_DOF_COUNT && m_usesFibres; ++dof)
 		if (btElasticPlasticCapacity::isOfFibres(dof))
 			m_row[m_numRows++].m_dof = dof;
-	return numPlain;
+	return m_numRows;
 }
 
 /// Takes the motion of kinematic bodies out of the measured strain. A kinematic body is already where the step will take it,
@@ -317,6 +316,28 @@ void JointStep::makeRowsAlike(btScalar erp, JointRows& rows)
 	}
 }
 
+/// What shears and torsion leave of the fibres and of each other, by the motion with which the step begins.
+FibreStep::Motion JointStep::beginShear(const Diagonal& diagonal)
+{
+	FibreStep::Motion motion = {};
+	motion.m_turn[0] = diagonal.about(m_kinematics.m_axis[1]);
+	motion.m_turn[1] = diagonal.about(m_kinematics.m_axis[2]);
+	for (int r = 0; r < m_numRows; ++r)
+		motion.m_rate[m_row[r].m_dof] = getRateBefore(r);
+	m_fibres.beginShear(motion, m_dt);
+	return motion;
+}
+
+void JointStep::beginFibres(JointRows& rows)
+{
+	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
+	const FibreStep::Motion motion = beginShear(diagonal);
+	const btVector3& axis = m_kinematics.m_axis[0];
+	rows.m_numRows = 0;
+	m_fibres.begin(m_kinematics.m_strain, motion,
+				   diagonal.along(m_kinematics.m_rA.cross(axis), m_kinematics.m_rB.cross(axis)), m_dt, rows);
+}
+
 bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows)
 {
 	if (m_numRows == 0 || !evaluate(dt))
@@ -325,13 +346,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
 	FibreStep::Motion motion = {};
 	if (m_usesFibres)
-	{
-		motion.m_turn[0] = diagonal.about(k.m_axis[1]);
-		motion.m_turn[1] = diagonal.about(k.m_axis[2]);
-		for (int r = 0; r < m_numRows; ++r)
-			motion.m_rate[m_row[r].m_dof] = getRateBefore(r);
-		m_fibres.beginShear(motion, dt);
-	}
+		motion = beginShear(diagonal);
 	rows.m_numRows = getNumPlainRows();
 	rows.m_numFibres = 0;
 	rows.m_coupledShear[0] = rows.m_coupledShear[1] = -1;
@@ -419,6 +434,12 @@ void JointStep::setSolution(const double* impulses, const signed char* bounds)
 	m_fibres.setSolution(impulses + numPlain, bounds ? bounds + numPlain : nullptr, resultant);
 	for (int k = 0; k < 3; ++k)
 		setImpulse(numPlain + k, resultant[k], 0);
+}
+
+void JointStep::setFibres(const double* impulses, const signed char* bounds)
+{
+	btScalar resultant[3];
+	m_fibres.setSolution(impulses, bounds, resultant);
 }
 
 void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2])

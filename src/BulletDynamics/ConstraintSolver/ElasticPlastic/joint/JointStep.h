@@ -4,6 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_JOINT_STEP_H
 #define BT_ELASTIC_PLASTIC_JOINT_STEP_H
 
+#include "Diagonal.h"
 #include "FibreStep.h"
 #include "JointModel.h"
 #include "JointRows.h"
@@ -25,7 +26,7 @@ public:
 
 	/// Chooses the rows of a joint that may be solved.
 	/// \param knowsFibres  whether the solver takes fibres instead of an axial row and two of bending
-	/// \return how many there are without fibres, none if the joint is broken
+	/// \return how many there are, none if the joint is broken; of fibres the three that they add up to
 	int prepare(bool knowsFibres = false);
 
 	/// Evaluates the joint at the bodies' present transforms and velocities, for a step of dt [s].
@@ -38,12 +39,19 @@ public:
 	///               damped by mode: by row, the waves of the blow would go with them, and the damage that these do.
 	bool begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows);
 
+	/// For a solver that makes rows one by one, after evaluate() and before makeRow(): makes the fibres of a joint that uses them, without
+	/// what couples them with shears.
+	void beginFibres(JointRows& rows);
+
 	/// The r-th row's law, after evaluate().
 	/// \param diagonal    A = J M^-1 J^T of the row
 	/// \param isForStock  the row is for one of Bullet's own solvers
 	SoftRow makeRow(int r, btScalar diagonal, btScalar erp, bool isForStock);
 
 	int getNumRows() const { return m_numRows; }
+	/// Without the last three, which are what fibres add up to, of a joint that uses them.
+	int getNumPlainRows() const { return m_usesFibres && m_numRows > 0 ? m_numRows - 3 : m_numRows; }
+	bool usesFibres() const { return m_usesFibres; }
 	int getDof(int r) const { return m_row[r].m_dof; }
 	btScalar getTimeStep() const { return m_dt; }
 	const Kinematics& getKinematics() const { return m_kinematics; }
@@ -55,6 +63,9 @@ public:
 		m_row[r].m_impulse = impulse;
 		m_row[r].m_isBoundKnown = false;
 	}
+
+	/// Of the fibres, whose sums are set as rows, by a solver that makes rows one by one.
+	void setFibres(const double* impulses, const signed char* bounds);
 
 	/// All of a solution by a solver that knows which rows are at a bound: first of the rows, then of the fibres.
 	/// \param bounds  null: all are between theirs
@@ -241,7 +252,7 @@ private:
 	void limitFlow(double work, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
 	void takeBackKinematicMotion();
-	int getNumPlainRows() const { return m_usesFibres ? m_numRows - 3 : m_numRows; }
+	FibreStep::Motion beginShear(const Diagonal& diagonal);
 	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
 	void projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) const;
 	bool isUsable(double work) const;

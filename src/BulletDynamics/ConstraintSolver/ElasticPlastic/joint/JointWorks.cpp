@@ -165,7 +165,7 @@ int JointWorks::prepare()
 		refuseWithoutRegistry();
 	tellFaultOnce();
 	m_isLeftOut = m_model.m_fault || !passesGate();
-	const int rows = m_isLeftOut ? 0 : m_step.prepare(m_request == NO_ROWS);
+	const int rows = m_isLeftOut ? 0 : m_step.prepare(m_request != WHOLE_ROWS);
 	return m_request == NO_ROWS ? 0 : rows;
 }
 

@@ -15,8 +15,6 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Compliance of hard rows as a share of A: it changes the twelfth digit of the result.
-const double HARD = 1e-12;
 /// Softening of contacts as a share of A: the augmented Lagrangian then gains two digits a loop, and the matrix stays well
 /// conditioned.
 const double SOFTENING = 1e-2;

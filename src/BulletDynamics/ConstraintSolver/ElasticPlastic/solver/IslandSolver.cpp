@@ -208,6 +208,17 @@ btScalar IslandSolver::solveGroupCacheFriendlyIterations(btCollisionObject** bod
 		bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, debugDrawer);
 }
 
+btScalar IslandSolver::solveSingleIteration(int iteration, btCollisionObject** bodies, int numBodies,
+											btPersistentManifold** manifolds, int numManifolds,
+											btTypedConstraint** constraints, int numConstraints,
+											const btContactSolverInfo& info, btIDebugDraw* debugDrawer)
+{
+	const btScalar ofFibres = m_iterative.solveFibres(iteration, pools());
+	const btScalar ofRows = btSequentialImpulseConstraintSolver::solveSingleIteration(
+		iteration, bodies, numBodies, manifolds, numManifolds, constraints, numConstraints, info, debugDrawer);
+	return btMax(ofFibres, ofRows);
+}
+
 /// Leaves bodies their velocities, forces from outside included, and joints their state.
 void IslandSolver::withholdResult()
 {

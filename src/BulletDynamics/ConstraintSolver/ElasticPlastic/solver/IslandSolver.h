@@ -42,6 +42,10 @@ protected:
 											   btPersistentManifold** manifolds, int numManifolds,
 											   btTypedConstraint** constraints, int numConstraints,
 											   const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
+	btScalar solveSingleIteration(int iteration, btCollisionObject** bodies, int numBodies,
+								  btPersistentManifold** manifolds, int numManifolds, btTypedConstraint** constraints,
+								  int numConstraints, const btContactSolverInfo& info,
+								  btIDebugDraw* debugDrawer) override;
 	btScalar solveGroupCacheFriendlyFinish(btCollisionObject** bodies, int numBodies,
 										   const btContactSolverInfo& info) override;
 

@@ -39,13 +39,16 @@ struct RowMotion
 /// With these terms Bullet's iteration is: impulse += (r - J v - C impulse - J dv) / (A + C).
 void IterativeForm::addJoint(JointWorks& joint, int firstRow, const SolverPools& pools, btScalar erp)
 {
-	const Joint entry = {&joint, firstRow};
-	m_joints.push_back(entry);
-	for (int r = 0; r < joint.m_step.getNumRows(); ++r)
+	JointStep& step = joint.m_step;
+	const bool hasFibres = step.usesFibres() && step.getNumRows() > 0;
+	if (hasFibres)
+		step.beginFibres(m_rows);
+	const int numPlain = step.getNumPlainRows();
+	for (int r = 0; r < numPlain; ++r)
 	{
 		btSolverConstraint& row = pools.m_constraints[firstRow + r];
 		const RowMotion motion(row, joint.m_model, pools);
-		const SoftRow soft = joint.m_step.makeRow(r, motion.m_diagonal, erp, false);
+		const SoftRow soft = step.makeRow(r, motion.m_diagonal, erp, false);
 		row.m_jacDiagABInv = 1 / (motion.m_diagonal + soft.m_compliance);
 		row.m_rhs = (soft.m_velocity - motion.m_velocity) * row.m_jacDiagABInv;
 		row.m_cfm = soft.m_compliance * row.m_jacDiagABInv;
@@ -53,19 +56,38 @@ void IterativeForm::addJoint(JointWorks& joint, int firstRow, const SolverPools&
 		btSetMax(row.m_lowerLimit, soft.m_lower);
 		btSetMin(row.m_upperLimit, soft.m_upper);
 	}
+	const Joint entry = {&joint, firstRow, hasFibres ? int(m_blocks.size()) : -1};
+	m_joints.push_back(entry);
+	if (hasFibres)
+		m_blocks.push_back(FibreBlock(m_rows, firstRow + numPlain, pools));
+}
+
+btScalar IterativeForm::solveFibres(int iteration, const SolverPools& pools)
+{
+	btScalar largest = 0;
+	for (FibreBlock& block : m_blocks)
+		if (block.isIn(iteration, pools))
+			btSetMax(largest, block.solve(pools));
+	return largest;
 }
 
 void IterativeForm::cancel()
 {
 	for (int j = 0; j < m_joints.size(); ++j)
 		m_joints[j].m_works->m_step.revert();
-	m_joints.resize(0);
+	clear();
 }
 
 void IterativeForm::finish(const SolverPools& pools)
 {
 	for (int j = 0; j < m_joints.size(); ++j)
-		for (int r = 0; r < m_joints[j].m_works->m_step.getNumRows(); ++r)
-			m_joints[j].m_works->m_step.setImpulse(r, pools.m_constraints[m_joints[j].m_firstRow + r].m_appliedImpulse);
+	{
+		const Joint& joint = m_joints[j];
+		JointStep& step = joint.m_works->m_step;
+		for (int r = 0; r < step.getNumRows(); ++r)
+			step.setImpulse(r, pools.m_constraints[joint.m_firstRow + r].m_appliedImpulse);
+		if (joint.m_block >= 0)
+			step.setFibres(m_blocks[size_t(joint.m_block)].getImpulses(), m_blocks[size_t(joint.m_block)].getBounds());
+	}
 }
 }  // namespace btElasticPlastic

@@ -4,7 +4,10 @@
 #ifndef BT_ELASTIC_PLASTIC_ITERATIVE_FORM_H
 #define BT_ELASTIC_PLASTIC_ITERATIVE_FORM_H
 
+#include <vector>
+
 #include "../joint/JointWorks.h"
+#include "FibreBlock.h"
 #include "SolverPools.h"
 
 namespace btElasticPlastic
@@ -13,17 +16,21 @@ namespace btElasticPlastic
 ///
 /// Bullet multiplies the impulse by a row's compliance but leaves it out of the diagonal; the iteration then diverges for springs
 /// that the step resolves. Here an elastic-plastic row (J v + C lambda = r) is divided by A + C instead of A, which is
-/// Gauss-Seidel on the true matrix and converges for every C, if slowly for long stiff chains.
+/// Gauss-Seidel on the true matrix and converges for every C, if slowly for long stiff chains. The fibres of a joint are one block of it.
 class IterativeForm
 {
 public:
 	/// Begins an island.
-	void begin() { m_joints.resize(0); }
+	void begin() { clear(); }
 
 	/// Sets compliance, right side and bounds of the joint's rows in Bullet's pool, where Bullet has set J, A and -J v / A.
 	/// \param firstRow  the first of the joint's elastic-plastic rows in the pool
 	/// \param erp       Bullet's error reduction
 	void addJoint(JointWorks& joint, int firstRow, const SolverPools& pools, btScalar erp);
+
+	/// Solves the blocks of fibres, before Bullet solves its rows in an iteration.
+	/// \return as FibreBlock::solve()
+	btScalar solveFibres(int iteration, const SolverPools& pools);
 
 	/// Forgets the island: its joints have no part in the step any more.
 	void cancel();
@@ -36,9 +43,18 @@ private:
 	{
 		JointWorks* m_works;
 		int m_firstRow;  ///< in Bullet's pool
+		int m_block;     ///< of its fibres, -1: none
 	};
 
+	void clear()
+	{
+		m_joints.resize(0);
+		m_blocks.clear();
+	}
+
 	btAlignedObjectArray<Joint> m_joints;
+	std::vector<FibreBlock> m_blocks;
+	JointRows m_rows;  ///< with the fibres of one joint after another
 };
 }  // namespace btElasticPlastic
 
