@@ -99,6 +99,15 @@ TEST(Materials, HaveRatesThatAreToBeAskedFor)
 			<< rate;
 }
 
+TEST(Materials, YieldInShearByOneOfTwoRules)
+{
+	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel();
+	steel.m_shearYield = btElasticPlasticShearYield(4);
+	char text[128];
+	steel.fault().print(text, sizeof text);
+	EXPECT_STREQ("yield in shear is 4; it must be BT_EP_TRESCA or BT_EP_VON_MISES", text);
+}
+
 TEST(Materials, ThatAreNotThereAreRefused)
 {
 	EXPECT_STREQ("density [kg/m^3]", Ready::find("S999").fault().m_quantity);

@@ -229,6 +229,33 @@ TEST(SectionShapes, Angle)
 	expectClose(mean - radius, unequal.m_secondMoment[0], 10 * ROUNDED);
 }
 
+TEST(SectionShapes, OfAnyFlatnessAreCutOrRefused)
+{
+	// A square with a spike so long that rounding leaves all of it on one side of a cut through its middle.
+	for (const Corners& spiked : {Corners{at(0, 0), at(0.1, 0), at(0.1, 0.1), at(0, 0.1), at(-0.05, 1e6)},
+								  Corners{at(0, 0), at(0.1, 0), at(0.1, 0.1), at(0, 0.1), at(-1, 1e12)},
+								  Corners{at(0, 0), at(0.1, 0), at(0.1, 0.1), at(0, 0.1), at(-0.05, -1e9)},
+								  Corners{at(0, 0), at(0.1, 0), at(0.1, 0.1), at(0, 0.1), at(-1e-12, 1e6)},
+								  Corners{at(0, 0), at(0.1, 0), at(0.1, 0.1), at(0, 0.1), at(0, 1e12)}})
+	{
+		const Section section = polygon({spiked}).withFibres();
+		const btElasticPlasticCapacity capacity =
+			btElasticPlasticCapacity::fromMember(btElasticPlasticMaterial::steel(), section, 1, 1);
+		if (capacity.fault())
+			continue;
+		double area = 0;
+		for (int i = 0; i < section.m_fibres.size(); ++i)
+			area += double(section.m_fibres[i].m_area);
+		EXPECT_NEAR(1, area / double(section.m_area), 1e-3);
+	}
+}
+
+TEST(SectionShapes, ATorsionModulusThatIsNoneIsRefused)
+{
+	EXPECT_TRUE(Section::rectangle(1, 1, btElasticPlasticTorsion(7)).m_fault);
+	EXPECT_FALSE(Section::rectangle(1, 1, BT_EP_TORSION_POLAR).m_fault);
+}
+
 // ---- fibres, against integrals over the shape
 
 /// The shape in cells of a 200th of its size, by whether their middle is inside.

@@ -16,7 +16,7 @@ class JointWorks;
 }
 
 /// Which rows a joint gives to the solver.
-enum btElasticPlasticScheme
+enum btElasticPlasticScheme : int  // of a fixed type: a value that is none can be passed, and is the default
 {
 	BT_EP_SCHEME_IMPLICIT,  ///< the default, see docs/theory.md
 	/// What the step does not resolve is damped by the frequency of a structure's mode, not by the stiffness of each row: swings and blows

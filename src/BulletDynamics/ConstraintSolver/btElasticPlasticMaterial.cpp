@@ -48,6 +48,8 @@ btElasticPlasticFault btElasticPlasticMaterial::fault() const
 		return f;
 	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("crushing strain", m_crushingStrain))
 		return f;
+	if (m_shearYield != BT_EP_TRESCA && m_shearYield != BT_EP_VON_MISES)
+		return btElasticPlasticFault("yield in shear", btScalar(m_shearYield), "BT_EP_TRESCA or BT_EP_VON_MISES");
 	if (!(btElasticPlasticIsFinite(m_poissonsRatio) && m_poissonsRatio > -1 && m_poissonsRatio <= btScalar(0.5)))
 		return btElasticPlasticFault("Poisson's ratio", m_poissonsRatio, "greater than -1 and at most 0.5");
 	if (!(btElasticPlasticIsFinite(m_loadBearingShare) && m_loadBearingShare > 0 && m_loadBearingShare <= 1))

@@ -8,7 +8,7 @@
 #include "btElasticPlasticFault.h"
 
 /// How the yield stress in shear follows from the one in tension.
-enum btElasticPlasticShearYield
+enum btElasticPlasticShearYield : int  // of a fixed type: a value that is none can be passed, and is refused
 {
 	BT_EP_TRESCA,    ///< f_y / 2, as in the paper (Table IV)
 	BT_EP_VON_MISES  ///< f_y / sqrt(3)

@@ -90,6 +90,12 @@ btElasticPlasticSection btElasticPlasticSection::rectangle(btScalar width, btSca
 	btElasticPlasticSection s;
 	if (!isPositive(s, "section width [m]", width) || !isPositive(s, "section height [m]", height))
 		return s;
+	if (torsion < BT_EP_TORSION_EXACT || torsion > BT_EP_TORSION_POLAR)
+	{
+		s.m_fault =
+			btElasticPlasticFault("plastic torsion modulus", btScalar(torsion), "one of btElasticPlasticTorsion");
+		return s;
+	}
 	const double b = width, h = height;
 	s.m_area = btScalar(b * h);
 	s.m_torsionConstant = btScalar(torsionConstant(b, h));

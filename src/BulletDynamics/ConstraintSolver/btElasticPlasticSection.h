@@ -9,7 +9,7 @@
 #include "btElasticPlasticMaterial.h"
 
 /// How the plastic torsion modulus of a rectangle is found.
-enum btElasticPlasticTorsion
+enum btElasticPlasticTorsion : int  // of a fixed type: a value that is none can be passed, and is refused
 {
 	BT_EP_TORSION_EXACT,  ///< sand-heap analogy (Nadai): b^2 (3h - b) / 6 with b <= h
 	BT_EP_TORSION_PAPER,  ///< the paper's Table IV, 0.38 b h (b + h) / 2 (there 0.19 f_y, that is 0.38 tau_y by Tresca): 14 % high for a square, 4.3 times at h/b = 10

@@ -7,6 +7,8 @@ btElasticPlasticFault btElasticPlasticSolverSettings::fault() const
 {
 	if (m_form != BT_EP_DIRECT && m_form != BT_EP_ITERATIVE)
 		return btElasticPlasticFault("form", btScalar(m_form), "BT_EP_DIRECT or BT_EP_ITERATIVE");
+	if (m_contacts < BT_EP_CONTACTS_BY_ISLAND || m_contacts > BT_EP_SWEPT_CONTACTS)
+		return btElasticPlasticFault("way of contacts", btScalar(m_contacts), "one of btElasticPlasticContacts");
 	if (m_numThreads < 1 || m_numThreads > MAX_THREADS)
 		return btElasticPlasticFault("number of threads", btScalar(m_numThreads), "1 to 64");
 	if (m_maxNewtonSteps < 0)

@@ -14,7 +14,7 @@ enum btElasticPlasticForm : int  // of a fixed type: a value that is none can be
 };
 
 /// How the direct form solves the contacts of an island with elastic-plastic joints.
-enum btElasticPlasticContacts
+enum btElasticPlasticContacts : int
 {
 	/// Exactly, up to btElasticPlasticSolverSettings::m_maxExactContacts points, and swept if there are more.
 	BT_EP_CONTACTS_BY_ISLAND,

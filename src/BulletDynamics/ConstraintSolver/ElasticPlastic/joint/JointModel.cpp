@@ -38,11 +38,12 @@ void JointModel::measure(Kinematics& kinematics) const
 	kinematics.evaluate(bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB,
 						m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
 	if (m_capacity.m_length > 0)
-	{
-		const btScalar length = pointsTowardsB() ? m_capacity.m_length : -m_capacity.m_length;
-		kinematics.bow(isElasticPlastic(BT_EP_BENDING_Y) ? length : btScalar(0),
-					   isElasticPlastic(BT_EP_BENDING_Z) ? length : btScalar(0));
-	}
+		kinematics.bow(bowedLength(BT_EP_BENDING_Y), bowedLength(BT_EP_BENDING_Z));
+}
+
+btScalar JointModel::bowedLength(int dof) const
+{
+	return !isElasticPlastic(dof) ? btScalar(0) : pointsTowardsB() ? m_capacity.m_length : -m_capacity.m_length;
 }
 
 btScalar JointModel::strainRounding(int dof) const
@@ -362,20 +363,10 @@ void JointModel::takePoseAsReference(unsigned dofs)
 void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
 {
 	// What bows less is longer, and is not to be pressed for it.
-	const bool bows = m_capacity.m_length > 0 && (deformation[4] != 0 || deformation[5] != 0);
-	Kinematics before, after;
-	if (bows)
-		measure(before);
 	if (deformation[3] != 0 || deformation[4] != 0 || deformation[5] != 0)
-		turnReference(deformation);
+		m_state.m_initial[BT_EP_AXIAL] += turnReference(deformation);
 	for (int i = 0; i < 3; ++i)
 		m_state.m_initial[i] += deformation[i];
-	if (!bows)
-		return;
-	measure(after);
-	const btScalar longer = after.m_strain[0] - (before.m_strain[0] - deformation[0]);
-	if (isDeformation(longer))
-		m_state.m_initial[0] += longer;
 }
 
 JointModel::Stretch JointModel::findStretch() const
@@ -811,16 +802,22 @@ void JointModel::followFreeTurn(const Kinematics& before)
 	turnReference(turn);
 }
 
-void JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
+btScalar JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
 {
 	Kinematics now;
 	if (!measureReference(now))
-		return;
+		return 0;
 	const RelativeRotation rotation = relativeRotation();
-	const btVector3 elastic(now.m_strain[3] - increment[3], now.m_strain[4] - increment[4],
-							now.m_strain[5] - increment[5]);
+	btScalar turned[BT_EP_DOF_COUNT];
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		turned[i] = now.m_strain[i] - increment[i];
+	const btVector3 elastic(turned[3], turned[4], turned[5]);
 	m_state.m_plasticRotation =
 		(exponential(-quatRotate(rotation.m_middle, elastic)) * rotation.m_relative).normalized();
 	m_state.m_plasticMiddle = (rotation.m_middle * exponential(elastic * btScalar(-0.5))).normalized();
+	const btScalar lengths[2] = {bowedLength(BT_EP_BENDING_Y), bowedLength(BT_EP_BENDING_Z)};
+	return m_capacity.m_length > 0 ? Kinematics::bowOf(now.m_strain, lengths[0], lengths[1]) -
+										 Kinematics::bowOf(turned, lengths[0], lengths[1])
+								   : btScalar(0);
 }
 }  // namespace btElasticPlastic

@@ -106,7 +106,8 @@ struct JointModel
 
 	/// Turns the plastic rotation so that the elastic rotation that is measured at the present pose loses the increment.
 	/// \param increment  of all degrees of freedom, of which the rotations are used
-	void turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
+	/// \return by how much the member is longer since it bows less, see Kinematics::bow(): its axial strain has grown by that [m]
+	btScalar turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
 
 	/// Has the reference turn with the bodies about what is free. Deformations stay as they are; with the turn among them, springs would
 	/// do more work than they take.
@@ -262,6 +263,8 @@ private:
 	RelativeRotation relativeRotation() const;
 	bool measureReference(Kinematics& kinematics) const;
 	bool pointsTowardsB() const;
+	/// For Kinematics::bow().
+	btScalar bowedLength(int dof) const;
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
 

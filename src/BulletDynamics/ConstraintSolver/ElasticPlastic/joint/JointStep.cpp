@@ -967,7 +967,14 @@ int JointStep::commit(double share, bool isNew)
 		m_model.followFibres();
 	}
 	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
-		m_model.turnReference(increment);
+	{
+		const btScalar longer = m_model.turnReference(increment);
+		// The step has moved bodies as if all of the turn was about the bow, and what the axial spring would gain by the turn nobody has given: those of
+		// a cracked section with a bar on one side would be ten times as fast as they were. Without fibres the axial strain is right however far a hinge
+		// turns, see docs/limits.md.
+		if (m_usesFibres)
+			state.m_initial[BT_EP_AXIAL] += longer;
+	}
 	m_model.followFreeTurn(m_kinematics);
 	if (!flowed)
 		return NOTHING;

@@ -163,6 +163,6 @@ void Kinematics::bow(btScalar lengthY, btScalar lengthZ)
 	const btVector3 shift = m_axis[1] * (z * lengthZ / 6) - m_axis[2] * (y * lengthY / 6);
 	m_rA += shift;
 	m_rB += shift;
-	m_strain[0] -= (lengthY * y * y + lengthZ * z * z) / 12;
+	m_strain[0] -= bowOf(m_strain, lengthY, lengthZ);
 }
 }  // namespace btElasticPlastic

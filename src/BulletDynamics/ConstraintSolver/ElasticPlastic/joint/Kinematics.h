@@ -52,6 +52,12 @@ struct Kinematics
 	///                          the x axis points from body B to body A [m]
 	void bow(btScalar lengthY, btScalar lengthZ);
 
+	/// How much closer together the ends of a bowed member are. \param strain  of which the turns about y and z count
+	static btScalar bowOf(const btScalar strain[6], btScalar lengthY, btScalar lengthZ)
+	{
+		return (lengthY * strain[4] * strain[4] + lengthZ * strain[5] * strain[5]) / 12;
+	}
+
 	/// Whether all of the strain is deformation, which it is not where a body's place is not finite.
 	bool isUsable() const;
 };

@@ -108,8 +108,16 @@ void Region::cut(double mostArea, std::vector<Region>& pieces) const
 	}
 	const double turn = principalTurn(all.centred()), y = cos(turn), z = sin(turn),
 				 middle = (y * all.m_y + z * all.m_z) / all.m_area;
-	below(y, z, middle).cut(mostArea, pieces);
-	below(-y, -z, -middle).cut(mostArea, pieces);
+	const Region halves[2] = {below(y, z, middle), below(-y, -z, -middle)};
+	for (const Region& half : halves)
+		// What is so flat that rounding leaves all of it on one side stays whole.
+		if (!(half.moments().m_area < 0.999 * all.m_area))
+		{
+			pieces.push_back(*this);
+			return;
+		}
+	for (const Region& half : halves)
+		half.cut(mostArea, pieces);
 }
 
 Region Region::seenFrom(double y, double z, double turn) const
