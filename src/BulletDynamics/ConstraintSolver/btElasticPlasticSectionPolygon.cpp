@@ -16,6 +16,8 @@ using namespace btElasticPlastic;
 namespace
 {
 const int MOST_CORNERS = 1000, SLICES = 400;
+/// Of an outline, of the square of its farthest corner's distance from the origin: rounding makes cuts of less than this into nothing.
+const double LEAST_AREA = 1e-9;
 
 btElasticPlasticFault faultOfOutlines(const std::vector<Region::Outline>& outlines)
 {
@@ -24,8 +26,17 @@ btElasticPlasticFault faultOfOutlines(const std::vector<Region::Outline>& outlin
 			if (!btElasticPlasticIsFinite(p.m_y + p.m_z))
 				return btElasticPlasticFault("corner of a section, y + z [m]", btScalar(p.m_y + p.m_z), "finite");
 	for (const Region::Outline& outline : outlines)
+	{
+		double reach2 = 0;
+		for (const Region::Point& p : outline)
+			reach2 = btMax(reach2, p.m_y * p.m_y + p.m_z * p.m_z);
 		if (!(fabs(areaOf(outline)) > 0))
 			return btElasticPlasticFault("area in an outline of a section [m^2]", 0, "greater than 0");
+		if (!(fabs(areaOf(outline)) > LEAST_AREA * reach2))
+			return btElasticPlasticFault(
+				"area in an outline of a section, of the square of its distance from the origin",
+				btScalar(fabs(areaOf(outline)) / reach2), "greater than 1e-9");
+	}
 	if (areCrossed(outlines))
 		return btElasticPlasticFault("number of places where outlines of a section meet", 1,
 									 "0: its sides have no point in common but corners of neighbours");
