@@ -25,7 +25,10 @@ MUTATIONS = [
     # ---- kinematics
     Mutation("arms meet off the middle", "Kinematics.cpp", "m_rB = armB.rounded() - d * btScalar(0.5)",
              "m_rB = armB.rounded() - d * btScalar(0.45)", "*Kinematics*:*JointStep*"),
-    Mutation("bow shortens less", "Kinematics.cpp", "lengthZ * z * z) / 12", "lengthZ * z * z) / 13", "*Kinematics*:*Stability*"),
+    Mutation("bow shortens less", "Kinematics.h", "strain[5] * strain[5]) / 12", "strain[5] * strain[5]) / 13", "*Kinematics*:*Stability*"),
+    Mutation("flow of fibres stretches the axial spring", "JointStep.cpp", "state.m_initial[BT_EP_AXIAL] += longer;", "state.m_initial[BT_EP_AXIAL] += longer / 2;", "Fibres.*"),
+    Mutation("iterations without what fibres do to each other", "FibreBlock.cpp", "m[i][k] += slope.m_x[i][j] * m_response.m_x[j][k]", "m[i][k] += (i == k ? slope.m_x[i][j] : 0) * m_response.m_x[j][k]", "Fibres.*:ShearInteraction.*"),
+    Mutation("iterations bound fibres by one strength", "FibreBlock.cpp", "m_impulses[i] = bound > 0 ? fibre.m_upper : bound < 0 ? fibre.m_lower : free;", "m_impulses[i] = bound > 0 ? fibre.m_upper : bound < 0 ? -fibre.m_upper : free;", "Fibres.*:ShearInteraction.*"),
     Mutation("logarithm's series", "Kinematics.cpp", "btScalar(1. / 6)", "btScalar(1. / 5)", "*Kinematics*:*Hinge*"),
     Mutation("half of a turn", "Kinematics.cpp", "const btScalar s = btSin(angle / 2) / angle",
              "const btScalar s = btSin(angle / 2) / (angle * btScalar(1.001))", "*Kinematics*:*Hinge*"),
