@@ -23,9 +23,12 @@ FibreBlock::Triple FibreBlock::Matrix::operator*(const Triple& v) const
 	return product;
 }
 
-FibreBlock::FibreBlock(const JointRows& rows, int firstRow, const SolverPools& pools)
-	: m_firstRow(firstRow), m_sum(), m_impulses(size_t(rows.m_numFibres), 0)
+void FibreBlock::begin(const JointRows& rows, int firstRow, const SolverPools& pools)
 {
+	m_firstRow = firstRow;
+	m_fibres.clear();
+	m_impulses.assign(size_t(rows.m_numFibres), 0);
+	m_bounds.assign(size_t(rows.m_numFibres), 0);
 	for (int i = 0; i < rows.m_numFibres; ++i)
 	{
 		const JointRows::Fibre& from = rows.m_fibres[i];
@@ -35,7 +38,6 @@ FibreBlock::FibreBlock(const JointRows& rows, int firstRow, const SolverPools& p
 							double(from.m_soft.m_lower),
 							double(from.m_soft.m_upper),
 							{{1, double(from.m_z), -double(from.m_y)}}});
-		m_bounds.push_back(0);
 	}
 	for (int i = 0; i < 3; ++i)
 		for (int k = 0; k < 3; ++k)
@@ -49,7 +51,7 @@ FibreBlock::FibreBlock(const JointRows& rows, int firstRow, const SolverPools& p
 					   row.m_contactNormal2.dot(by.m_contactNormal2 * B.internalGetInvMass() * B.m_linearFactor) +
 					   row.m_relpos2CrossNormal.dot(by.m_angularComponentB * B.m_angularFactor));
 		}
-	set(m_sum, pools);
+	set(Triple(), pools);
 }
 
 /// Of the three rows, forces from outside included.

@@ -23,9 +23,8 @@ namespace btElasticPlastic
 class FibreBlock
 {
 public:
-	/// \param rows      with the joint's fibres
-	/// \param firstRow  of the three in Bullet's pool, which Bullet leaves as they are from now on
-	FibreBlock(const JointRows& rows, int firstRow, const SolverPools& pools);
+	/// Takes the fibres of a joint. \param firstRow  of the three in Bullet's pool, which Bullet leaves as they are from now on
+	void begin(const JointRows& rows, int firstRow, const SolverPools& pools);
 
 	/// Whether Bullet solves the joint's rows in an iteration: each joint may want a number of its own.
 	bool isIn(int iteration, const SolverPools& pools) const
@@ -84,9 +83,9 @@ private:
 	double findLeast(const Triple& velocity, const Triple& along, double slope, double rise);
 	void set(const Triple& sum, const SolverPools& pools);
 
-	int m_firstRow;
-	Matrix m_response;  ///< A
-	Triple m_sum;       ///< s as it is applied
+	int m_firstRow = 0;
+	Matrix m_response = {};  ///< A
+	Triple m_sum = {};       ///< s as it is applied
 	std::vector<Fibre> m_fibres;
 	std::vector<double> m_impulses;
 	std::vector<signed char> m_bounds;

@@ -56,18 +56,21 @@ void IterativeForm::addJoint(JointWorks& joint, int firstRow, const SolverPools&
 		btSetMax(row.m_lowerLimit, soft.m_lower);
 		btSetMin(row.m_upperLimit, soft.m_upper);
 	}
-	const Joint entry = {&joint, firstRow, hasFibres ? int(m_blocks.size()) : -1};
+	const Joint entry = {&joint, firstRow, hasFibres ? int(m_numBlocks) : -1};
 	m_joints.push_back(entry);
-	if (hasFibres)
-		m_blocks.push_back(FibreBlock(m_rows, firstRow + numPlain, pools));
+	if (!hasFibres)
+		return;
+	if (m_numBlocks == m_blocks.size())
+		m_blocks.emplace_back();
+	m_blocks[m_numBlocks++].begin(m_rows, firstRow + numPlain, pools);
 }
 
 btScalar IterativeForm::solveFibres(int iteration, const SolverPools& pools)
 {
 	btScalar largest = 0;
-	for (FibreBlock& block : m_blocks)
-		if (block.isIn(iteration, pools))
-			btSetMax(largest, block.solve(pools));
+	for (size_t i = 0; i < m_numBlocks; ++i)
+		if (m_blocks[i].isIn(iteration, pools))
+			btSetMax(largest, m_blocks[i].solve(pools));
 	return largest;
 }
 

@@ -49,11 +49,12 @@ private:
 	void clear()
 	{
 		m_joints.resize(0);
-		m_blocks.clear();
+		m_numBlocks = 0;
 	}
 
 	btAlignedObjectArray<Joint> m_joints;
-	std::vector<FibreBlock> m_blocks;
+	std::vector<FibreBlock> m_blocks;  ///< m_numBlocks of them count: their memory serves island after island
+	size_t m_numBlocks = 0;
 	JointRows m_rows;  ///< with the fibres of one joint after another
 };
 }  // namespace btElasticPlastic
