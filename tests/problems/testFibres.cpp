@@ -790,6 +790,38 @@ TEST(Fibres, ThatCrackBesideABarSetNothingInMotion)
 		}
 }
 
+TEST(Fibres, OfASectionMuchLargerThanItsBodiesHold)
+{
+	// Cubes of 1 cm and 0.1 g on a section of 1 m: its edge is ten thousand times as mobile by their turns as by their motion along it.
+	const btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
+		btElasticPlasticMaterial::steel(), btElasticPlasticSection::rectangle(1, 1).withFibres(16), btScalar(0.1),
+		btScalar(0.1));
+	for (unsigned seed = 0; seed < 20; ++seed)
+	{
+		std::mt19937 engine(seed);
+		const auto any = [&](double most)
+		{
+			const auto draw = [&] { return btScalar(most * (2 * double(engine()) / 4294967296. - 1)); };
+			const btScalar x = draw(), y = draw();
+			return btVector3(x, y, draw());
+		};
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		btCollisionShape* const cube = world.box(btVector3(btScalar(0.01), btScalar(0.01), btScalar(0.01)));
+		btRigidBody* bodies[2];
+		for (int i = 0; i < 2; ++i)
+			bodies[i] = world.body(btScalar(1e-4), cube, at(btScalar(0.01 * i)), false);
+		world.joint(*bodies[0], *bodies[1], at(btScalar(0.005)), capacity);
+		bodies[0]->setLinearVelocity(any(0.1));
+		bodies[1]->setAngularVelocity(any(10));
+		const double start = world.kineticEnergy();
+		for (int i = 0; i < 60; ++i)
+		{
+			world.step(btScalar(1) / 60);
+			ASSERT_LT(world.kineticEnergy(), start * (1 + byPrecision(1e-6, 1e-3))) << seed << " at step " << i;
+		}
+	}
+}
+
 TEST(Fibres, WakeBodiesWhenTheyChange)
 {
 	PulledBody pulled(brick(1));

@@ -145,7 +145,7 @@ struct btElasticPlasticSection
 	/// than A. Torsion is plastic by the sand heap with holes, and elastic by a lower bound that is exact for circles, even
 	/// tubes and thin walls, and up to 17 % low for compact shapes. It takes some 20 ms: make one for many joints.
 	/// \param corners      of the outer outline, then those of each hole, in either direction of turn. Outlines must not meet themselves or each
-	///                     other, and have more area than 1e-9 of the square of their distance from the origin
+	///                     other, and have more area than 1e-6 of the square of their distance from the origin
 	/// \param numCorners   of each outline, 3 or more; 1000 in all at most
 	/// \param numOutlines  1 and the number of holes
 	static btElasticPlasticSection polygon(const btElasticPlasticSectionPoint* corners, const int* numCorners,

@@ -17,7 +17,7 @@ namespace
 {
 const int MOST_CORNERS = 1000, SLICES = 400;
 /// Of an outline, of the square of its farthest corner's distance from the origin: rounding makes cuts of less than this into nothing.
-const double LEAST_AREA = 1e-9;
+const double LEAST_AREA = 1e-6;
 
 btElasticPlasticFault faultOfOutlines(const std::vector<Region::Outline>& outlines)
 {
@@ -35,7 +35,7 @@ btElasticPlasticFault faultOfOutlines(const std::vector<Region::Outline>& outlin
 		if (!(fabs(areaOf(outline)) > LEAST_AREA * reach2))
 			return btElasticPlasticFault(
 				"area in an outline of a section, of the square of its distance from the origin",
-				btScalar(fabs(areaOf(outline)) / reach2), "greater than 1e-9");
+				btScalar(fabs(areaOf(outline)) / reach2), "greater than 1e-6");
 	}
 	if (areCrossed(outlines))
 		return btElasticPlasticFault("number of places where outlines of a section meet", 1,

@@ -352,7 +352,12 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	rows.m_numFibres = n;
 	if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
 		couple(strain, scheme, a, rows);
-	rows.m_fibreDiagonal = diagonal;
+	// Of the fibre that is farthest off: bending may be much more mobile than what is pulled.
+	btScalar farthest = 0;
+	for (int i = 0; i < n; ++i)
+		btSetMax(farthest,
+				 fibres[i].m_z * fibres[i].m_z * motion.m_turn[0] + fibres[i].m_y * fibres[i].m_y * motion.m_turn[1]);
+	rows.m_fibreDiagonal = diagonal + farthest;
 	for (int shear = 0; shear < 2; ++shear)
 		rows.m_coupledShear[shear] = m_shearRow[shear];
 }
