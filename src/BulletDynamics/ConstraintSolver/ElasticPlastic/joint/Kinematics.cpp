@@ -164,5 +164,7 @@ void Kinematics::bow(btScalar lengthY, btScalar lengthZ)
 	m_rA += shift;
 	m_rB += shift;
 	m_strain[0] -= bowOf(m_strain, lengthY, lengthZ);
+	m_strain[1] += m_strain[3] * (y * lengthY / 6);
+	m_strain[2] += m_strain[3] * (z * lengthZ / 6);
 }
 }  // namespace btElasticPlastic

@@ -47,7 +47,8 @@ struct Kinematics
 
 	/// Lets the member bow between the bodies' centres. Of two straight parts that are turned by t against each other, the ends are
 	/// closer together by a bow's l t^2 / 12: an axial force bends what is crooked by that much less. The axial strain loses it,
-	/// and the common point moves by l t / 6 towards the bow, so that J v = -de/dt holds.
+	/// and the common point moves by l t / 6 towards the bow, so that J v = -de/dt holds. Where the member is twisted, too, shears act at that point: their
+	/// strain is that of it. (What the point's own motion makes of the twist is left out, the product of two small turns.)
 	/// \param lengthY, lengthZ  l of the member where it bends about y and about z; 0: a hinge, which does not bow; negative where
 	///                          the x axis points from body B to body A [m]
 	void bow(btScalar lengthY, btScalar lengthZ);
