@@ -256,6 +256,20 @@ TEST(SectionShapes, SoFlatThatTheyRoundToNothingAreRefused)
 	}
 }
 
+TEST(SectionShapes, ThinSheetsTwistAsThinWallsDo)
+{
+	// Pieces of the figure span its whole thickness, with the roof's ridge in their middle.
+	for (const double thickness : {1e-3, 7e-4, 5e-4, 2e-4})
+		for (const double turn : {0., 0.4})
+		{
+			const Section sheet = polygon({rectangle(1, thickness, 0, 0, turn)}),
+						  exact = Section::rectangle(btScalar(thickness), 1);
+			ASSERT_FALSE(sheet.m_fault);
+			expectClose(exact.m_torsionConstant, sheet.m_torsionConstant, byPrecision(3e-3, 6e-3));
+			expectClose(exact.m_plasticTorsionModulus, sheet.m_plasticTorsionModulus, byPrecision(3e-3, 6e-3));
+		}
+}
+
 TEST(SectionShapes, ATorsionModulusThatIsNoneIsRefused)
 {
 	EXPECT_TRUE(Section::rectangle(1, 1, btElasticPlasticTorsion(7)).m_fault);

@@ -12,6 +12,8 @@ namespace btElasticPlastic
 namespace
 {
 const int PIECES = 2000, LEVELS = 200;
+/// Slopes whose squares are below this are those of a ridge: elsewhere the roof rises by 1.
+const double FLAT = 0.1;
 
 double gapBetween(const Region::Outline& a, const Region::Outline& b)
 {
@@ -49,6 +51,24 @@ Torsion torsionOf(const Region& region)
 			roof = btMin(roof, heights[h] + distanceTo(region.m_outlines[h], p));
 		return roof;
 	};
+	/// By how much the roof falls from the middle of a piece to its sides, as of a rectangle's.
+	const auto dropAcross = [&](const Region::Moments& m, double roof)
+	{
+		const Region::Moments own = m.centred();
+		const double turn = principalTurn(own), c = cos(turn), s = sin(turn), mixed = 2 * c * s * own.m_yz,
+					 second[2] = {c * c * own.m_yy + s * s * own.m_zz + mixed,
+								  s * s * own.m_yy + c * c * own.m_zz - mixed};
+		double drop = 0;
+		for (int axis = 0; axis < 2; ++axis)
+			for (const double way : {-1., 1.})
+			{
+				const double reach = way * sqrt(btMax(3 * second[axis] / m.m_area, 0.));
+				const Region::Point side = {m.m_y / m.m_area + reach * (axis == 0 ? c : -s),
+											m.m_z / m.m_area + reach * (axis == 0 ? s : c)};
+				drop = btMax(drop, roof - roofAt(side));
+			}
+		return drop;
+	};
 	/// A piece of the figure, and between which heights the roof over it lies.
 	struct Tile
 	{
@@ -69,10 +89,11 @@ Torsion torsionOf(const Region& region)
 						 (roofAt({middle.m_y, middle.m_z + off}) - roofAt({middle.m_y, middle.m_z - off})) / off / 2;
 		const Region::Moments own = m.centred();
 		const double square = slopeY * slopeY * own.m_yy + 2 * slopeY * slopeZ * own.m_yz + slopeZ * slopeZ * own.m_zz;
-		// As of a rectangle with a side along the line of even height.
-		const double half = sqrt(btMax(3 * square / m.m_area, 0.));
-		const Tile tile = {m.m_area, btMax(roof - half, 0.), roof + half};
-		volume += tile.m_area * roof;
+		// As of a rectangle with a side along the line of even height; of one that the roof's ridge divides, half of it to either side.
+		const bool isRidge = slopeY * slopeY + slopeZ * slopeZ < FLAT;
+		const double half = sqrt(btMax(3 * square / m.m_area, 0.)), down = isRidge ? dropAcross(m, roof) : half;
+		const Tile tile = {m.m_area, btMax(roof - down, 0.), isRidge ? roof : roof + half};
+		volume += tile.m_area * (isRidge ? (tile.m_low + tile.m_high) / 2 : roof);
 		highest = btMax(highest, tile.m_high);
 		tiles.push_back(tile);
 	}
