@@ -30,12 +30,13 @@ btElasticPlasticFault faultOfOutlines(const std::vector<Region::Outline>& outlin
 		double reach2 = 0;
 		for (const Region::Point& p : outline)
 			reach2 = btMax(reach2, p.m_y * p.m_y + p.m_z * p.m_z);
-		if (!(fabs(areaOf(outline)) > 0))
+		const double area = fabs(areaOf(outline));
+		if (!(area > 0))
 			return btElasticPlasticFault("area in an outline of a section [m^2]", 0, "greater than 0");
-		if (!(fabs(areaOf(outline)) > LEAST_AREA * reach2))
+		if (!(area > LEAST_AREA * reach2))
 			return btElasticPlasticFault(
 				"area in an outline of a section, of the square of its distance from the origin",
-				btScalar(fabs(areaOf(outline)) / reach2), "greater than 1e-6");
+				btScalar(area / reach2), "greater than 1e-6");
 	}
 	if (areCrossed(outlines))
 		return btElasticPlasticFault("number of places where outlines of a section meet", 1,

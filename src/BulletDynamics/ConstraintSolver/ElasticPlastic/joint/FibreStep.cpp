@@ -328,6 +328,8 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	const Damped* const allDamped = damps && n > 0 ? &m_damped[0] : nullptr;
 	const Solution* const before = n > 0 ? &m_solution[0] : nullptr;
 	JointRows::Fibre* const to = n > 0 ? &rows.m_fibres[0] : nullptr;
+	// The most that turns add to a fibre's A: bending may be much more mobile than what is pulled.
+	btScalar byTurns = 0;
 	for (int i = 0; i < n; ++i)
 	{
 		const JointModel::BearingFibre& fibre = fibres[i];
@@ -348,16 +350,12 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		row.m_z = fibre.m_z;
 		row.m_coupling[0] = row.m_coupling[1] = 0;
 		row.m_bound = before[i].m_bound;
+		btSetMax(byTurns, fibre.m_z * fibre.m_z * motion.m_turn[0] + fibre.m_y * fibre.m_y * motion.m_turn[1]);
 	}
 	rows.m_numFibres = n;
 	if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
 		couple(strain, scheme, a, rows);
-	// Of the fibre that is farthest off: bending may be much more mobile than what is pulled.
-	btScalar farthest = 0;
-	for (int i = 0; i < n; ++i)
-		btSetMax(farthest,
-				 fibres[i].m_z * fibres[i].m_z * motion.m_turn[0] + fibres[i].m_y * fibres[i].m_y * motion.m_turn[1]);
-	rows.m_fibreDiagonal = diagonal + farthest;
+	rows.m_fibreDiagonal = diagonal + byTurns;
 	for (int shear = 0; shear < 2; ++shear)
 		rows.m_coupledShear[shear] = m_shearRow[shear];
 }

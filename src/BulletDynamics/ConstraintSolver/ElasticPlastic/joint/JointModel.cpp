@@ -38,12 +38,17 @@ void JointModel::measure(Kinematics& kinematics) const
 	kinematics.evaluate(bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB,
 						m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
 	if (m_capacity.m_length > 0)
-		kinematics.bow(bowedLength(BT_EP_BENDING_Y), bowedLength(BT_EP_BENDING_Z));
+	{
+		const BowedLengths lengths = bowedLengths();
+		kinematics.bow(lengths.m_y, lengths.m_z);
+	}
 }
 
-btScalar JointModel::bowedLength(int dof) const
+JointModel::BowedLengths JointModel::bowedLengths() const
 {
-	return !isElasticPlastic(dof) ? btScalar(0) : pointsTowardsB() ? m_capacity.m_length : -m_capacity.m_length;
+	const btScalar length = pointsTowardsB() ? m_capacity.m_length : -m_capacity.m_length;
+	return {isElasticPlastic(BT_EP_BENDING_Y) ? length : btScalar(0),
+			isElasticPlastic(BT_EP_BENDING_Z) ? length : btScalar(0)};
 }
 
 btScalar JointModel::strainRounding(int dof) const
@@ -815,9 +820,10 @@ btScalar JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
 	m_state.m_plasticRotation =
 		(exponential(-quatRotate(rotation.m_middle, elastic)) * rotation.m_relative).normalized();
 	m_state.m_plasticMiddle = (rotation.m_middle * exponential(elastic * btScalar(-0.5))).normalized();
-	const btScalar lengths[2] = {bowedLength(BT_EP_BENDING_Y), bowedLength(BT_EP_BENDING_Z)};
-	return m_capacity.m_length > 0 ? Kinematics::bowOf(now.m_strain, lengths[0], lengths[1]) -
-										 Kinematics::bowOf(turned, lengths[0], lengths[1])
-								   : btScalar(0);
+	if (!(m_capacity.m_length > 0))
+		return 0;
+	const BowedLengths lengths = bowedLengths();
+	return Kinematics::bowOf(now.m_strain, lengths.m_y, lengths.m_z) -
+		   Kinematics::bowOf(turned, lengths.m_y, lengths.m_z);
 }
 }  // namespace btElasticPlastic

@@ -263,8 +263,12 @@ private:
 	RelativeRotation relativeRotation() const;
 	bool measureReference(Kinematics& kinematics) const;
 	bool pointsTowardsB() const;
-	/// For Kinematics::bow().
-	btScalar bowedLength(int dof) const;
+	/// For Kinematics::bow(), of a member with a length.
+	struct BowedLengths
+	{
+		btScalar m_y, m_z;
+	};
+	BowedLengths bowedLengths() const;
 	void takeRoundingAsReference();
 	void takePoseAsReference(unsigned dofs);
 

@@ -328,14 +328,18 @@ FibreStep::Motion JointStep::beginShear(const Diagonal& diagonal)
 	return motion;
 }
 
+void JointStep::makeFibres(const FibreStep::Motion& motion, const Diagonal& diagonal, JointRows& rows)
+{
+	const Kinematics& k = m_kinematics;
+	const btVector3& axis = k.m_axis[0];
+	m_fibres.begin(k.m_strain, motion, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt, rows);
+}
+
 void JointStep::beginFibres(JointRows& rows)
 {
 	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
-	const FibreStep::Motion motion = beginShear(diagonal);
-	const btVector3& axis = m_kinematics.m_axis[0];
 	rows.m_numRows = 0;
-	m_fibres.begin(m_kinematics.m_strain, motion,
-				   diagonal.along(m_kinematics.m_rA.cross(axis), m_kinematics.m_rB.cross(axis)), m_dt, rows);
+	makeFibres(beginShear(diagonal), diagonal, rows);
 }
 
 bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows)
@@ -367,11 +371,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 	else
 		makeRows(erp, rows);
 	if (m_usesFibres)
-	{
-		const btVector3& axis = k.m_axis[0];
-		m_fibres.begin(m_kinematics.m_strain, motion, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt,
-					   rows);
-	}
+		makeFibres(motion, diagonal, rows);
 	if (m_model.m_isPaper)
 		rows.m_damping = TensionDamping();
 	else

@@ -253,6 +253,7 @@ private:
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
 	void takeBackKinematicMotion();
 	FibreStep::Motion beginShear(const Diagonal& diagonal);
+	void makeFibres(const FibreStep::Motion& motion, const Diagonal& diagonal, JointRows& rows);
 	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
 	void projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) const;
 	bool isUsable(double work) const;

@@ -29,10 +29,10 @@ void FibreBlock::begin(const JointRows& rows, int firstRow, const SolverPools& p
 	m_fibres.clear();
 	m_impulses.assign(size_t(rows.m_numFibres), 0);
 	m_bounds.assign(size_t(rows.m_numFibres), 0);
+	const double hardest = HARD * double(rows.m_fibreDiagonal);
 	for (int i = 0; i < rows.m_numFibres; ++i)
 	{
 		const JointRows::Fibre& from = rows.m_fibres[i];
-		const double hardest = HARD * double(rows.m_fibreDiagonal);
 		m_fibres.push_back({double(from.m_soft.m_velocity),
 							btMax(double(from.m_soft.m_compliance), hardest),
 							double(from.m_soft.m_lower),
@@ -107,7 +107,7 @@ FibreBlock::Matrix FibreBlock::tangent() const
 	return tangent;
 }
 
-/// Newton's step (1 + K A)^-1 e for the error e, sum f - s, with K of the present bounds; 0 if it is no number.
+/// Newton's step (1 + K A)^-1 e for the error e, sum f - s, with K of the present bounds.
 FibreBlock::Triple FibreBlock::findStep(const Triple& error) const
 {
 	const Matrix slope = tangent();
