@@ -21,7 +21,7 @@ using namespace ep;
 /// Sections are as right as the number of fibres that they take by themselves (SectionFibres.*: 2.5 % of the most that a section bears in a
 /// direction is up to 3.5 % along a load), of concrete 36, where a thin edge alone is pressed; shear by the half that is observed
 /// of the 8 % that it is right within. A beam that hangs on its ends bears by its section alone: the 2.4 % that 16 fibres of a rectangle are
-/// off. Beams that are struck stop within a game's step or two, and are of the first order. A strut of eight parts that is pushed out of its line buckles 1 to 3 %
+/// off. Beams that are struck stop within a game's step or two, as a body on a bar does, and are of the first order. A strut of eight parts that is pushed out of its line buckles 1 to 3 %
 /// early. What a body goes along the axis while it turns is what few fibres tell worst (docs/limits.md).
 struct Bound
 {
@@ -59,9 +59,12 @@ const Bound BOUNDS[] = {
 	{"section-tube", 0.01, 0.01},
 	{"section-i", 0.02, 0.02},
 	{"section-concrete", 0.04, 0.04},
+	{"section-concrete-beam", 0.04, 0.04},
 	{"section-shear", 0.04, 0.04},
 	{"hardening-cycle", 0.002, 0.002},
 	{"crack-opening", 0.003, 0.0003},
+	{"rate-stops-body", 0.13, 0.015},
+	{"rod-in-fire", 0.01, 0.01},
 	{"beam-held-pushed", 0.03, 0.025},
 	{"beam-held-struck", 0.1, 0.025},
 	{"beam-of-steel-struck", 0.3, 0.1},

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "problems/Run.h"
+#include "text/Format.h"
 #include "world/Place.h"
 
 namespace ep
@@ -18,6 +19,7 @@ struct BodyOnBar
 	World m_world;
 	btRigidBody* m_body;
 	btElasticPlasticJoint* m_joint;
+	btElasticPlasticCapacity m_capacity;
 
 	BodyOnBar(const Method& method, const btElasticPlasticMaterial& material, double side, double mass)
 		: m_world(method, btVector3(0, 0, 0))
@@ -30,7 +32,8 @@ struct BodyOnBar
 		m_body->setAngularFactor(0);
 		const btElasticPlasticSection section =
 			btElasticPlasticSection::rectangle(btScalar(side), btScalar(side)).withFibres(method.fibres);
-		m_joint = m_world.joint(*ground, *m_body, at(0), btElasticPlasticCapacity::fromMember(material, section, 1, 1));
+		m_capacity = btElasticPlasticCapacity::fromMember(material, section, 1, 1);
+		m_joint = m_world.joint(*ground, *m_body, at(0), m_capacity);
 	}
 
 	double stretch() const { return double(m_body->getCenterOfMassPosition().x()) - 0.5; }
@@ -98,6 +101,75 @@ Outcome crackOpening(const Method& method, const Stepping& stepping)
 		 fracture * side * side}};
 	return outcome;
 }
+/// Mild steel that is the stronger the faster it flows, and stops a body: m v dv = -F (1 + (v / D l)^(1/5)) dx. With v = D l u^5 that is the
+/// integral of u^9 / (1 + u). So stiff that what is elastic does not count.
+Outcome rateStopsBody(const Method& method, const Stepping& stepping)
+{
+	const double side = 0.02, yield = 250e6, force = side * side * yield, mass = 1000;
+	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(yield));
+	steel.m_youngsModulus *= 100;
+	steel.m_ultimatePlasticStrain = 10;
+	steel.m_dampingRatio = 0;
+	steel.m_rate = btElasticPlasticRate::mildSteel();
+	const double reference = double(steel.m_rate.m_reference);
+	Outcome outcome;
+	for (const double speed : {5., 10.})
+	{
+		BodyOnBar bar(method, steel, side, mass);
+		bar.m_body->setLinearVelocity(btVector3(btScalar(speed), 0, 0));
+		{
+			Run run(bar.m_world, stepping, outcome);
+			while (run.stepsUntil(0.25) > 0)
+				run.step();
+		}
+		// Of u^n / (1 + u), by I_n = u^n / n - I_(n-1).
+		const double u = std::pow(speed / reference, 0.2);
+		double integral = std::log1p(u);
+		for (int n = 1; n <= 9; ++n)
+			integral = std::pow(u, n) / n - integral;
+		outcome.quantities.push_back({format("plastic elongation from %.0f m/s [m]", speed),
+									  bar.m_joint->getPlasticDeformation(BT_EP_AXIAL),
+									  5 * mass * reference * reference / force * integral});
+	}
+	return outcome;
+}
+
+/// A rod that bears 0.4 of what it can and is heated by two degrees a second, by the factors of EN 1993-1-2: at 500 degrees 0.6 of the
+/// stiffness are left, and at 629.2 degrees 0.4 of the strength, between 0.47 at 600 and 0.23 at 700.
+Outcome rodInFire(const Method& method, const Stepping& stepping)
+{
+	const double side = 0.02, yield = 250e6, share = 0.4, force = share * side * side * yield, youngsModulus = 200e9;
+	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(yield));
+	steel.m_youngsModulus = btScalar(youngsModulus);
+	steel.m_ultimatePlasticStrain = 10;
+	BodyOnBar rod(method, steel, side, 100);
+	Outcome outcome;
+	double atHalf = 0, until = 0;
+	{
+		Run run(rod.m_world, stepping, outcome);
+		const double from = 400, perSecond = 2;
+		double temperature = 20;
+		while (until == 0 && run.stepsUntil(150) > 0)
+		{
+			temperature = std::max(20., from + perSecond * (run.time() + run.dt() - 1));
+			run.step(
+				[&]
+				{
+					rod.m_joint->setCapacity(rod.m_capacity.heated(btElasticPlasticHeat::steel(btScalar(temperature))));
+					rod.m_body->applyCentralForce(btVector3(btScalar(force), 0, 0));
+				});
+			if (temperature <= 500)
+				atHalf = rod.stretch();
+			// Many times what it gives elastically.
+			if (rod.stretch() > 0.02)
+				until = temperature;
+		}
+	}
+	outcome.quantities = {
+		{"elongation at 500 degrees [m]", atHalf, share * yield / (0.6 * youngsModulus)},
+		{"temperature at which it gives way [degrees Celsius]", until, 600 + 100 * (0.47 - share) / (0.47 - 0.23)}};
+	return outcome;
+}
 }  // namespace
 
 std::vector<Problem> problemsOfCurves()
@@ -106,6 +178,10 @@ std::vector<Problem> problemsOfCurves()
 		{"hardening-cycle", "a bar of steel that hardens kinematically, pulled and pressed",
 		 "stress over plastic strain in closed form", hardeningCycle, true},
 		{"crack-opening", "a bar of concrete that a body tears", "fracture energy times area", crackOpening, true},
+		{"rate-stops-body", "a body stopped by a bar of mild steel that is stronger the faster it flows",
+		 "the law of Cowper and Symonds, integrated", rateStopsBody, true},
+		{"rod-in-fire", "a rod under load that is heated until it gives way", "factors of EN 1993-1-2, table 3.1",
+		 rodInFire, true},
 	};
 }
 }  // namespace ep

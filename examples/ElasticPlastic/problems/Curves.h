@@ -8,7 +8,7 @@
 
 namespace ep
 {
-/// Curves of stress that fibres follow: hardening, softening.
+/// Curves of stress that fibres follow: hardening, softening, rate, heat.
 std::vector<Problem> problemsOfCurves();
 }  // namespace ep
 

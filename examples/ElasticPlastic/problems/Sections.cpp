@@ -200,26 +200,41 @@ Outcome iSectionBearing(const Method& method, const Stepping& stepping)
 					  loads);
 }
 
-/// Concrete of 30 MPa that cracks without a force, with bars of 500 MPa.
-Outcome concreteBearing(const Method& method, const Stepping& stepping)
+/// Concrete of 30 MPa that cracks without a force, with bars of 500 MPa, two each at some heights.
+Outcome concreteBearing(const Method& method, const Stepping& stepping, const std::vector<double>& heights, double bar,
+						const std::vector<double>& lines)
 {
-	const double b = 0.3, h = 0.5, place = 0.21, bar = 314.16e-6, thin = 1e-3, concreteYield = 30e6, barYield = 500e6;
+	const double b = 0.3, h = 0.5, thin = 1e-3, concreteYield = 30e6, barYield = 500e6;
 	btElasticPlasticMaterial concrete = perfect(30e9, concreteYield);
 	concrete.m_tensileShare = 0;
 	btElasticPlasticSection section = btElasticPlasticSection::rectangle(btScalar(b), btScalar(h));
 	// Three per cent take more of concrete than of steel, as only a part of it bears.
 	section = section.withFibres(method.fibres > 0 ? method.fibres : 36);
 	std::vector<Strip> strips = {{-h / 2, h / 2, b, 0, concreteYield}};
-	for (const double y : {-place, place})
+	for (const double y : heights)
 	{
 		for (const double z : {-0.11, 0.11})
 			section.addBar(btScalar(y), btScalar(z), btScalar(bar), perfect(200e9, barYield));
 		strips.push_back({y - thin / 2, y + thin / 2, 2 * bar / thin, barYield, barYield});
 	}
 	std::vector<Load> loads;
-	for (const double line : {0.2, 0., -0.2})
+	for (const double line : lines)
 		loads.push_back(atNeutralLine(strips, line));
 	return strengthOf(method, stepping, concrete, section, loads);
+}
+
+const double BAR = 314.16e-6;
+
+Outcome columnBearing(const Method& method, const Stepping& stepping)
+{
+	return concreteBearing(method, stepping, {-0.21, 0.21}, BAR, {0.2, 0., -0.2});
+}
+
+/// The first one is pure bending, N = 0.
+Outcome beamBearing(const Method& method, const Stepping& stepping)
+{
+	const double pressed = 4 * BAR * 500e6 / (0.3 * 30e6);
+	return concreteBearing(method, stepping, {-0.21}, 2 * BAR, {0.25 - pressed, 0.07, -0.07});
 }
 
 /// Where all of a section is stressed alike, normal and shear force lie on a circle (von Mises), and so do normal force and torsion of a
@@ -254,7 +269,8 @@ std::vector<Problem> problemsOfSections()
 		{"section-circle", "axial force and bending of a solid circle", line, circleBearing, true},
 		{"section-tube", "axial force and bending of a tube", line, tubeBearing, true},
 		{"section-i", "axial force and bending of an IPE 200 about either axis", line, iSectionBearing, true},
-		{"section-concrete", "axial force and bending of reinforced concrete", line, concreteBearing, true},
+		{"section-concrete", "axial force and bending of reinforced concrete", line, columnBearing, true},
+		{"section-concrete-beam", "the same with bars at the bottom alone", line, beamBearing, true},
 		{"section-shear", "shear or torsion with axial force or bending",
 		 "limit analysis by von Mises of sections that stay plane", shearBearing, true},
 	};

@@ -297,10 +297,37 @@ void FibreStep::findSteadyStrengths()
 		m_strength[i] = steadyStrength(i);
 }
 
+btScalar FibreStep::squareOfFrequency(const Motion& motion, btScalar diagonal, const JointRows& rows) const
+{
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	const btScalar axial = capacity.m_stiffness[BT_EP_AXIAL] * diagonal;
+	double energy = 0, sum = 0;
+	const auto add = [&](int dof, btScalar own)
+	{
+		const double rate = motion.m_rate[dof], moving = own > 0 ? rate * rate / double(own) : 0.;
+		if (!(moving > 0) || capacity.isRigidPlastic(dof))
+			return;
+		energy += moving;
+		sum += moving * log(double(capacity.m_stiffness[dof]) * double(own));
+	};
+	if (motion.m_isInner)
+	{
+		add(BT_EP_AXIAL, diagonal);
+		add(BT_EP_BENDING_Y, motion.m_turn[0]);
+		add(BT_EP_BENDING_Z, motion.m_turn[1]);
+		for (int r = 0; r < rows.m_numRows; ++r)
+			add(rows.m_row[r].m_dof, rows.m_row[r].m_diagonal);
+	}
+	btScalar square = energy > 0 ? btMin(axial, btScalar(exp(sum / energy))) : axial;
+	for (int shear = 0; shear < 2; ++shear)
+		if (m_shearRow[shear] >= 0)
+			btSetMax(square, capacity.m_stiffness[BT_EP_SHEAR_Y + shear] * rows.m_row[m_shearRow[shear]].m_diagonal);
+	return square;
+}
+
 void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& motion, btScalar diagonal, btScalar dt,
 					  JointRows& rows)
 {
-	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
 	const int n = m_model.m_bearing.size();
 	m_dt = dt;
 	m_numFibres = n;
@@ -314,11 +341,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	}
 	findCoupledRows(rows);
 	findBranches();
-	btScalar a = capacity.m_stiffness[BT_EP_AXIAL] * diagonal;
-	for (int shear = 0; shear < 2; ++shear)
-		if (m_shearRow[shear] >= 0)
-			btSetMax(a, capacity.m_stiffness[BT_EP_SHEAR_Y + shear] * rows.m_row[m_shearRow[shear]].m_diagonal);
-	a *= dt * dt;
+	const btScalar a = dt * dt * squareOfFrequency(motion, diagonal, rows);
 	const MeanForce scheme = MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
 	const bool damps = !m_damping.isNone();
 	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha, stiffening = m_damping.getStiffening(),

@@ -19,8 +19,10 @@ namespace btElasticPlastic
 /// together.
 ///
 /// A fibre's elongation is that of its place in the section, e + z a_y - y a_z in the mid frame, less its own plastic offset. Its row is
-/// that of Law.h, with bounds from its strengths in tension and in compression. All fibres have one alpha and beta, those of the
-/// axial row, and of the shears too where these are coupled with bending. The offsets of fibres have no mean: what they have in common
+/// that of Law.h, with bounds from its strengths in tension and in compression. All fibres have one alpha and beta, and so have the shears
+/// where these are coupled with bending: those of the axial row, the fastest, so that what a step does not resolve dies out. In inner steps that would
+/// take most of a bending that rings after a blow before it is flow. There it is the mean of all rows' frequencies, in their logarithms, weighted by how
+/// much of the joint's motion is in each. The offsets of fibres have no mean: what they have in common
 /// is the joint's plastic deformation, by which the reference moves.
 ///
 /// The material's damping acts on each fibre as on a spring, with branches whose forces follow the fibre's and relax. At the end of a step only
@@ -44,6 +46,7 @@ public:
 	{
 		btScalar m_rate[BT_EP_DOF_COUNT];  ///< of strain
 		btScalar m_turn[2];                ///< A of the two rows of bending
+		bool m_isInner;                    ///< the step is shorter than the world's
 	};
 
 	/// Before all rows of the step are made: what shears and torsion leave of the fibres and of each other.
@@ -158,6 +161,8 @@ private:
 		btScalar m_rate, m_rateShare;  ///< see btElasticPlasticFibreState
 	};
 
+	/// That by which the scheme is chosen. \param diagonal  A of the axial row
+	btScalar squareOfFrequency(const Motion& motion, btScalar diagonal, const JointRows& rows) const;
 	void findResponse(const Motion& motion, btScalar diagonal);
 	double rateShareInStep(int fibre, double force, double rate, const JointModel::FibreStrength& strength) const;
 	double flowInStep(int fibre, bool isPulled, double beyond, double stiffness, double stronger) const;

@@ -351,6 +351,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 	FibreStep::Motion motion = {};
 	if (m_usesFibres)
 		motion = beginShear(diagonal);
+	motion.m_isInner = share < 1;
 	rows.m_numRows = getNumPlainRows();
 	rows.m_numFibres = 0;
 	rows.m_coupledShear[0] = rows.m_coupledShear[1] = -1;

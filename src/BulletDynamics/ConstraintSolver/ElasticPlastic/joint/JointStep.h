@@ -82,13 +82,11 @@ public:
 		m_lastBound[m_row[r].m_dof] = static_cast<signed char>(bound);
 	}
 
-	/// Whether something of the joint flows by the solution of the step.
-	bool isFlowing() const
+	/// Whether the r-th row flows by the solution of the step, or of what fibres add up to some of them.
+	bool isFlowing(int r) const
 	{
-		for (int r = 0; r < m_numRows; ++r)
-			if (m_lastBound[m_row[r].m_dof] != 0)
-				return true;
-		return m_usesFibres && m_fibres.isAnyAtBound();
+		const bool isOfFibres = m_usesFibres && btElasticPlasticCapacity::isOfFibres(m_row[r].m_dof);
+		return isOfFibres ? m_fibres.isAnyAtBound() : m_lastBound[m_row[r].m_dof] != 0;
 	}
 
 	/// Tells that the impulses are of a search that has been cut: they obey the law, and do not belong to the deformation.

@@ -23,6 +23,10 @@ namespace btElasticPlastic
 /// to errors of a per cent (docs/performance.md). The plastic deformation is the present one, not the path of all flow to and
 /// fro, so that each swing counts by itself.
 ///
+/// A flow that slows down leaves as much open in each of its v / |v1 - v0| steps until it stands, half of that in the mean: the force
+/// comes on half a step late, and all that follows is by so much too fast. Where a step can be taken again it counts for all of them. A step control begins with short
+/// steps, and so has seen the force come on in one.
+///
 /// Only those degrees of freedom count that have flowed, or whose force may reach half of the yield value within a step, by its
 /// rate and the change of its rate; where a step that turns out to be too long can be taken again, only the latter.
 class OpenShare
@@ -37,6 +41,7 @@ public:
 		btScalar m_before, m_after;  ///< rate of deformation, before and after the step [m/s], [rad/s]
 		btScalar m_force;            ///< [N], [N m]
 		btScalar m_plastic, m_path;  ///< plastic deformation, and the path of all flow [m], [rad]
+		bool m_flows = false;        ///< in a step that can be taken again: whether it does in it
 	};
 
 	/// What all degrees of freedom of a joint have done, as Row says, with rates of either sign; force and rate before the step are 0 where it has
@@ -82,6 +87,7 @@ public:
 
 private:
 	double getEnergy() const;
+	static double stepsLikeThis(const Row& row);
 
 	const bool m_canGoBack;
 	bool m_isLoaded = false;

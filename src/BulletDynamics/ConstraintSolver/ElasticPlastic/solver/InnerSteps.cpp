@@ -143,7 +143,8 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 			continue;
 		const JointStep& step = works->m_step;
 		const btElasticPlasticState& state = works->m_model.m_state;
-		flows = flows || step.isFlowing();
+		for (int r = 0; r < step.getNumRows(); ++r)
+			flows = flows || step.isFlowing(r);
 		if (isTaut)
 			*isTaut |= works->m_step.foreseeTension();
 		OpenShare::Motion motion = {};
@@ -163,7 +164,7 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 			const int dof = step.getDof(r);
 			open.addRow(works->m_model.m_capacity,
 						{dof, step.getRateBefore(r), -motion.m_after[dof], step.getImpulse(r) / step.getTimeStep(),
-						 state.m_plastic[dof], state.m_plasticPath[dof]},
+						 state.m_plastic[dof], state.m_plasticPath[dof], step.isFlowing(r)},
 						length, ahead, place);
 		}
 	}
