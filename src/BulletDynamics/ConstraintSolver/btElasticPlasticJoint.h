@@ -37,6 +37,7 @@ public:
 	/// Before or after btDynamicsWorld::addConstraint, also while running. Frames that do not meet load the joint from the
 	/// first step; only a misfit of the size of rounding is taken for none (setReferenceToCurrentPose() takes any).
 	/// Under load a spring that becomes softer keeps its deformation, and one that becomes stiffer its force: its energy never grows.
+	/// What bows by another length than before is not stretched by that.
 	/// \return false, and the joint stays out of the simulation, if the capacity or the bodies have a fault (see fault()); the listener of
 	/// the joint's action is told. A capacity with a fault is not kept: the joint stays out until it gets another one. Once what is wrong
 	/// with its bodies is mended, setCapacity() or btElasticPlasticAction::addJoint() takes the joint in.

@@ -315,6 +315,7 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& capacity)
 {
 	const btElasticPlasticCapacity former = m_capacity;
 	const unsigned before = m_dofs;
+	const BowedLengths bowed = bowedLengths();
 	const Stretch stretch = findStretch();
 	setCapacity(capacity);
 	m_dofs = 0;
@@ -328,6 +329,7 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& capacity)
 	takeFibres(stretch, areSame);
 	if (m_hasReference)
 	{
+		followBow(bowed);
 		followStiffness(former, stretch);
 		unsigned held = m_dofs & ~before;
 		// What rigid rows have left open is no stretch of a spring.
@@ -368,10 +370,11 @@ void JointModel::takePoseAsReference(unsigned dofs)
 void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
 {
 	// What bows less is longer, and is not to be pressed for it.
+	btVector3 longer(0, 0, 0);
 	if (deformation[3] != 0 || deformation[4] != 0 || deformation[5] != 0)
-		m_state.m_initial[BT_EP_AXIAL] += turnReference(deformation);
+		longer = turnReference(deformation);
 	for (int i = 0; i < 3; ++i)
-		m_state.m_initial[i] += deformation[i];
+		m_state.m_initial[i] += longer[i] + deformation[i];
 }
 
 JointModel::Stretch JointModel::findStretch() const
@@ -457,6 +460,19 @@ void JointModel::sumFibres()
 		force[BT_EP_BENDING_Y] += fibre.m_z * own;
 		force[BT_EP_BENDING_Z] -= fibre.m_y * own;
 	}
+}
+
+/// A member that bows by another length from now on, be it that its bending begins or ends to hold, is not stretched by that: its springs would have
+/// the energy from nobody.
+void JointModel::followBow(const BowedLengths& before)
+{
+	const BowedLengths now = bowedLengths();
+	Kinematics pose;
+	if ((now.m_y == before.m_y && now.m_z == before.m_z) || !measureReference(pose))
+		return;
+	const btVector3 added = Kinematics::strainOfBow(pose.m_strain, now.m_y - before.m_y, now.m_z - before.m_z);
+	for (int i = 0; i < 3; ++i)
+		m_state.m_initial[i] += added[i];
 }
 
 /// A degree of freedom that becomes stiffer under load keeps its force, and its elastic deformation becomes less. The change of
@@ -807,11 +823,11 @@ void JointModel::followFreeTurn(const Kinematics& before)
 	turnReference(turn);
 }
 
-btScalar JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
+btVector3 JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
 {
 	Kinematics now;
 	if (!measureReference(now))
-		return 0;
+		return btVector3(0, 0, 0);
 	const RelativeRotation rotation = relativeRotation();
 	btScalar turned[BT_EP_DOF_COUNT];
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -821,9 +837,9 @@ btScalar JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
 		(exponential(-quatRotate(rotation.m_middle, elastic)) * rotation.m_relative).normalized();
 	m_state.m_plasticMiddle = (rotation.m_middle * exponential(elastic * btScalar(-0.5))).normalized();
 	if (!(m_capacity.m_length > 0))
-		return 0;
+		return btVector3(0, 0, 0);
 	const BowedLengths lengths = bowedLengths();
-	return Kinematics::bowOf(now.m_strain, lengths.m_y, lengths.m_z) -
-		   Kinematics::bowOf(turned, lengths.m_y, lengths.m_z);
+	return Kinematics::strainOfBow(turned, lengths.m_y, lengths.m_z) -
+		   Kinematics::strainOfBow(now.m_strain, lengths.m_y, lengths.m_z);
 }
 }  // namespace btElasticPlastic

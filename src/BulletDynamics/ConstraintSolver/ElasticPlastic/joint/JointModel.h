@@ -106,8 +106,8 @@ struct JointModel
 
 	/// Turns the plastic rotation so that the elastic rotation that is measured at the present pose loses the increment.
 	/// \param increment  of all degrees of freedom, of which the rotations are used
-	/// \return by how much the member is longer since it bows less, see Kinematics::bow(): its axial strain has grown by that [m]
-	btScalar turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
+	/// \return by how much the linear strains have grown since the member bows less, see Kinematics::bow() [m]
+	btVector3 turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
 
 	/// Has the reference turn with the bodies about what is free. Deformations stay as they are; with the turn among them, springs would
 	/// do more work than they take.
@@ -285,6 +285,7 @@ private:
 	void scaleForce(int dof, btScalar factor);
 	btScalar limitEnergy(double most);
 	void sumFibres();
+	void followBow(const BowedLengths& before);
 	void followStiffness(const btElasticPlasticCapacity& before, const Stretch& stretch);
 	void takeFibres(const Stretch& stretch, bool areSame);
 	btScalar elasticElongation(const btElasticPlasticCapacity& capacity, int fibre) const;

@@ -969,7 +969,7 @@ int JointStep::commit(double share, bool isNew)
 	}
 	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
 	{
-		const btScalar longer = m_model.turnReference(increment);
+		const btScalar longer = m_model.turnReference(increment)[BT_EP_AXIAL];
 		// The step has moved bodies as if all of the turn was about the bow, and what the axial spring would gain by the turn nobody has given: those of
 		// a cracked section with a bar on one side would be ten times as fast as they were. Without fibres the axial strain is right however far a hinge
 		// turns, see docs/limits.md.

@@ -163,8 +163,8 @@ void Kinematics::bow(btScalar lengthY, btScalar lengthZ)
 	const btVector3 shift = m_axis[1] * (z * lengthZ / 6) - m_axis[2] * (y * lengthY / 6);
 	m_rA += shift;
 	m_rB += shift;
-	m_strain[0] -= bowOf(m_strain, lengthY, lengthZ);
-	m_strain[1] += m_strain[3] * (y * lengthY / 6);
-	m_strain[2] += m_strain[3] * (z * lengthZ / 6);
+	const btVector3 added = strainOfBow(m_strain, lengthY, lengthZ);
+	for (int i = 0; i < 3; ++i)
+		m_strain[i] += added[i];
 }
 }  // namespace btElasticPlastic

@@ -53,10 +53,12 @@ struct Kinematics
 	///                          the x axis points from body B to body A [m]
 	void bow(btScalar lengthY, btScalar lengthZ);
 
-	/// How much closer together the ends of a bowed member are. \param strain  of which the turns about y and z count
-	static btScalar bowOf(const btScalar strain[6], btScalar lengthY, btScalar lengthZ)
+	/// What that adds to the linear strains, in proportion to the lengths. \param strain  of which the turns count
+	static btVector3 strainOfBow(const btScalar strain[6], btScalar lengthY, btScalar lengthZ)
 	{
-		return (lengthY * strain[4] * strain[4] + lengthZ * strain[5] * strain[5]) / 12;
+		const btScalar twist = strain[3], y = strain[4], z = strain[5];
+		return btVector3(-(lengthY * y * y + lengthZ * z * z) / 12, twist * (y * lengthY / 6),
+						 twist * (z * lengthZ / 6));
 	}
 
 	/// Whether all of the strain is deformation, which it is not where a body's place is not finite.
