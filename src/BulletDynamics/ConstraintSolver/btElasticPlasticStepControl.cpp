@@ -9,6 +9,7 @@
 #include "ElasticPlastic/joint/JointRegistry.h"
 #include "ElasticPlastic/joint/JointWorks.h"
 #include "ElasticPlastic/stepping/Approach.h"
+#include "ElasticPlastic/stepping/ErrorReduction.h"
 #include "ElasticPlastic/stepping/FreeFlight.h"
 #include "ElasticPlastic/stepping/OpenWork.h"
 #include "ElasticPlastic/stepping/StepInput.h"
@@ -43,33 +44,6 @@ void tellJoints(btDynamicsWorld& world)
 
 struct btElasticPlasticStepControl::Works
 {
-	/// Reduces the world's error reduction in proportion to the substep, and restores it.
-	class ErrorReduction
-	{
-	public:
-		void scale(btDynamicsWorld& world, btScalar share)
-		{
-			btContactSolverInfo& info = world.getSolverInfo();
-			m_erp = info.m_erp;
-			m_erp2 = info.m_erp2;
-			m_isScaled = true;
-			info.m_erp *= share;
-			info.m_erp2 *= share;
-		}
-		void restore(btDynamicsWorld& world)
-		{
-			if (!m_isScaled)
-				return;
-			world.getSolverInfo().m_erp = m_erp;
-			world.getSolverInfo().m_erp2 = m_erp2;
-			m_isScaled = false;
-		}
-
-	private:
-		btScalar m_erp = 0, m_erp2 = 0;  ///< the world's own, while scaled
-		bool m_isScaled = false;
-	};
-
 	double m_error = 0.01;
 	int m_maxLevel = MAX_LEVEL;
 	int m_level = 0;            ///< the substep is the step over 1 << m_level
@@ -165,7 +139,7 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	tellJoints(world);
 	w.m_parts = 1 << (MAX_LEVEL - w.m_level);
 	const btScalar share = 1 / btScalar(1 << w.m_level);
-	w.m_errorReduction.restore(world);
+	w.m_errorReduction.restore(world, nullptr);
 	w.m_errorReduction.scale(world, share);
 	const btScalar length = w.m_dt * share;
 	if (w.m_length > 0 && w.m_length != length)
@@ -207,7 +181,7 @@ void btElasticPlasticStepControl::Works::chooseLevel()
 void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlasticAction& action)
 {
 	Works& w = *m_works;
-	w.m_errorReduction.restore(world);
+	w.m_errorReduction.restore(world, action.m_registry);
 	w.m_left -= w.m_parts;
 	btAlignedObjectArray<btElasticPlasticJoint*> joints;
 	action.getJointsInWorld(world, joints);
@@ -236,7 +210,7 @@ int btElasticPlasticStepControl::step(btDynamicsWorld& world, btElasticPlasticAc
 			continue;
 		}
 		// Nobody is left who could tell what a substep leaves open: the rest is one.
-		w.m_errorReduction.restore(world);
+		w.m_errorReduction.restore(world, nullptr);
 		w.m_left -= w.m_parts;
 		if (w.m_left > 0)
 		{

@@ -42,7 +42,9 @@ public:
 
 	/// Length of the next substep, for btDynamicsWorld::stepSimulation(length, 0) [s]; 0: the step is over.
 	/// The direct form takes no inner steps in it (btElasticPlasticSolverSettings::m_innerError). During the substep the world's error reduction (btContactSolverInfo::m_erp, m_erp2) is less in proportion: penetration
-	/// that a long step has left would else be pushed out at the speed of a blow. A substep that was begun but is not stepped
+	/// that a long step has left would else be pushed out at the speed of a blow. So are impulses by which Bullet's constraints are bounded (motors of hinges and cone
+	/// twists, the clamp of ball sockets, breaking thresholds: they are those of a step), and constraints' own factors of error reduction by the square. What
+	/// you change meanwhile stays, also from a tick callback. A substep that was begun but is not stepped
 	/// has to be observed too, or the world keeps it so.
 	btScalar next(btDynamicsWorld& world);
 

@@ -53,30 +53,30 @@ void setImpulse(btTypedConstraint& constraint, btScalar impulse)
 	}
 }
 
-// ---- each factor of error reduction that a constraint has of its own becomes change(factor)
+// ---- each factor of error reduction that a constraint has of its own becomes change(its place, factor)
 
 template <class Change>
-void changeParameter(btTypedConstraint& constraint, int number, int axis, const Change& change)
+void changeParameter(btTypedConstraint& constraint, int number, int axis, int place, const Change& change)
 {
-	constraint.setParam(number, change(constraint.getParam(number, axis)), axis);
+	constraint.setParam(number, change(place, constraint.getParam(number, axis)), axis);
 }
 
 template <class Change>
 void changeFactors(btHingeConstraint& hinge, const Change& change)
 {
 	if (hinge.getFlags() & BT_HINGE_FLAGS_ERP_STOP)
-		changeParameter(hinge, BT_CONSTRAINT_STOP_ERP, 5, change);
+		changeParameter(hinge, BT_CONSTRAINT_STOP_ERP, 5, 0, change);
 	if (hinge.getFlags() & BT_HINGE_FLAGS_ERP_NORM)
-		changeParameter(hinge, BT_CONSTRAINT_ERP, -1, change);
+		changeParameter(hinge, BT_CONSTRAINT_ERP, -1, 1, change);
 }
 
 template <class Change>
 void changeFactors(btConeTwistConstraint& cone, const Change& change)
 {
 	if (cone.getFlags() & BT_CONETWIST_FLAGS_LIN_ERP)
-		changeParameter(cone, BT_CONSTRAINT_ERP, 0, change);
+		changeParameter(cone, BT_CONSTRAINT_ERP, 0, 0, change);
 	cone.setLimit(cone.getSwingSpan1(), cone.getSwingSpan2(), cone.getTwistSpan(), cone.getLimitSoftness(),
-				  change(cone.getBiasFactor()), cone.getRelaxationFactor());
+				  change(1, cone.getBiasFactor()), cone.getRelaxationFactor());
 }
 
 template <class Change>
@@ -84,17 +84,17 @@ void changeFactors(btSliderConstraint& slider, const Change& change)
 {
 	const int flags = slider.getFlags();
 	if (flags & BT_SLIDER_FLAGS_ERP_DIRLIN)
-		slider.setSoftnessDirLin(change(slider.getSoftnessDirLin()));
+		slider.setSoftnessDirLin(change(0, slider.getSoftnessDirLin()));
 	if (flags & BT_SLIDER_FLAGS_ERP_DIRANG)
-		slider.setSoftnessDirAng(change(slider.getSoftnessDirAng()));
+		slider.setSoftnessDirAng(change(1, slider.getSoftnessDirAng()));
 	if (flags & BT_SLIDER_FLAGS_ERP_ORTLIN)
-		slider.setSoftnessOrthoLin(change(slider.getSoftnessOrthoLin()));
+		slider.setSoftnessOrthoLin(change(2, slider.getSoftnessOrthoLin()));
 	if (flags & BT_SLIDER_FLAGS_ERP_ORTANG)
-		slider.setSoftnessOrthoAng(change(slider.getSoftnessOrthoAng()));
+		slider.setSoftnessOrthoAng(change(3, slider.getSoftnessOrthoAng()));
 	if (flags & BT_SLIDER_FLAGS_ERP_LIMLIN)
-		slider.setSoftnessLimLin(change(slider.getSoftnessLimLin()));
+		slider.setSoftnessLimLin(change(4, slider.getSoftnessLimLin()));
 	if (flags & BT_SLIDER_FLAGS_ERP_LIMANG)
-		slider.setSoftnessLimAng(change(slider.getSoftnessLimAng()));
+		slider.setSoftnessLimAng(change(5, slider.getSoftnessLimAng()));
 }
 
 template <class SixDofs, class Change>
@@ -104,8 +104,8 @@ void changeFactorsOfSixDofs(SixDofs& constraint, const Change& change)
 	{
 		btScalar& linear = constraint.getTranslationalLimitMotor()->m_stopERP[i];
 		btScalar& angular = constraint.getRotationalLimitMotor(i)->m_stopERP;
-		linear = change(linear);
-		angular = change(angular);
+		linear = change(i, linear);
+		angular = change(3 + i, angular);
 	}
 }
 
@@ -127,7 +127,7 @@ void changeFactors(btTypedConstraint& constraint, const Change& change)
 			return changeFactorsOfSixDofs(static_cast<btGeneric6DofSpring2Constraint&>(constraint), change);
 		case POINT2POINT_CONSTRAINT_TYPE:
 			if (static_cast<btPoint2PointConstraint&>(constraint).getFlags() & BT_P2P_FLAGS_ERP)
-				changeParameter(constraint, BT_CONSTRAINT_ERP, -1, change);
+				changeParameter(constraint, BT_CONSTRAINT_ERP, -1, 0, change);
 			return;
 		default:
 			return;
@@ -137,44 +137,56 @@ void changeFactors(btTypedConstraint& constraint, const Change& change)
 
 void StepParameters::scale(const SolverGroup& island, btScalar share)
 {
-	m_bounds.resize(0);
-	m_withFactors.resize(0);
-	m_factors.resize(0);
+	m_held.resize(0);
 	for (int i = 0; i < island.m_numConstraints; ++i)
-	{
-		btTypedConstraint& constraint = *island.m_constraints[i];
-		if (!island.m_joints[i] || island.m_joints[i]->hasBaseRows())
-		{
-			m_withFactors.push_back(&constraint);
-			changeFactors(constraint,
-						  [&](btScalar factor)
-						  {
-							  m_factors.push_back(factor);
-							  return factor * share * share;
-						  });
-		}
-		const Bound bound = {&constraint, constraint.getBreakingImpulseThreshold(), impulseOf(constraint)};
-		if (bound.m_threshold >= SIMD_INFINITY && !(bound.m_impulse > 0))
-			continue;
-		m_bounds.push_back(bound);
-		if (bound.m_threshold < SIMD_INFINITY)
-			constraint.setBreakingImpulseThreshold(bound.m_threshold * share);
-		if (bound.m_impulse > 0)
-			setImpulse(constraint, bound.m_impulse * share);
-	}
+		scale(*island.m_constraints[i], !island.m_joints[i] || island.m_joints[i]->hasBaseRows(), share);
+}
+
+void StepParameters::scale(btTypedConstraint& constraint, bool hasFactors, btScalar share)
+{
+	Held held;
+	held.m_constraint = &constraint;
+	held.m_type = constraint.getConstraintType();
+	const btScalar threshold = constraint.getBreakingImpulseThreshold(), impulse = impulseOf(constraint);
+	held.m_threshold = {threshold, threshold < SIMD_INFINITY ? threshold * share : threshold};
+	held.m_impulse = {impulse, impulse > 0 ? impulse * share : impulse};
+	if (!hasFactors && !held.m_threshold.isScaled() && !held.m_impulse.isScaled())
+		return;
+	if (held.m_threshold.isScaled())
+		constraint.setBreakingImpulseThreshold(held.m_threshold.m_scaled);
+	if (held.m_impulse.isScaled())
+		setImpulse(constraint, held.m_impulse.m_scaled);
+	if (hasFactors)
+		changeFactors(constraint,
+					  [&](int place, btScalar factor)
+					  {
+						  held.m_factors |= 1u << place;
+						  held.m_factor[place] = {factor, factor * share * share};
+						  return held.m_factor[place].m_scaled;
+					  });
+	m_held.push_back(held);
 }
 
 void StepParameters::restore()
 {
-	for (int i = 0; i < m_bounds.size(); ++i)
-	{
-		m_bounds[i].m_constraint->setBreakingImpulseThreshold(m_bounds[i].m_threshold);
-		setImpulse(*m_bounds[i].m_constraint, m_bounds[i].m_impulse);
-	}
-	m_bounds.resize(0);
-	int next = 0;
-	for (int i = 0; i < m_withFactors.size(); ++i)
-		changeFactors(*m_withFactors[i], [&](btScalar) { return m_factors[next++]; });
-	m_withFactors.resize(0);
+	for (int i = 0; i < m_held.size(); ++i)
+		giveBack(m_held[i], false);
+	m_held.resize(0);
+}
+
+void StepParameters::giveBack(const Held& held, bool mayBeChanged)
+{
+	btTypedConstraint& constraint = *held.m_constraint;
+	if (constraint.getConstraintType() != held.m_type)
+		return;
+	if (held.m_threshold.isScaled())
+		constraint.setBreakingImpulseThreshold(
+			held.m_threshold.restored(constraint.getBreakingImpulseThreshold(), mayBeChanged));
+	if (held.m_impulse.isScaled())
+		setImpulse(constraint, held.m_impulse.restored(impulseOf(constraint), mayBeChanged));
+	if (held.m_factors)
+		changeFactors(
+			constraint, [&](int place, btScalar factor)
+			{ return held.m_factors >> place & 1u ? held.m_factor[place].restored(factor, mayBeChanged) : factor; });
 }
 }  // namespace btElasticPlastic

@@ -21,18 +21,57 @@ class StepParameters
 public:
 	/// \param share  of the world's step
 	void scale(const SolverGroup& island, btScalar share);
+
+	/// The same for one more constraint. \param hasFactors  whether it has rows of Bullet's
+	void scale(btTypedConstraint& constraint, bool hasFactors, btScalar share);
+
 	void restore();
 
-private:
-	struct Bound
+	/// Where others have had a say meanwhile: what they have changed stays as it is.
+	/// \param exists  function of a constraint, whether it is known to exist; one that is not is left for the next time
+	template <class Exists>
+	void restoreWhere(const Exists& exists)
 	{
-		btTypedConstraint* m_constraint;
-		btScalar m_threshold, m_impulse;
+		int left = 0;
+		for (int i = 0; i < m_held.size(); ++i)
+			if (exists(m_held[i].m_constraint))
+				giveBack(m_held[i], true);
+			else
+				m_held[left++] = m_held[i];
+		m_held.resize(left);
+	}
+
+	bool isAnyHeld() const { return m_held.size() > 0; }
+
+private:
+	enum
+	{
+		MOST_FACTORS = 6
 	};
 
-	btAlignedObjectArray<Bound> m_bounds;
-	btAlignedObjectArray<btTypedConstraint*> m_withFactors;
-	btAlignedObjectArray<btScalar> m_factors;  ///< of these, one after the other
+	struct Value
+	{
+		btScalar m_own, m_scaled;
+
+		bool isScaled() const { return m_scaled != m_own; }
+		btScalar restored(btScalar present, bool mayBeChanged) const
+		{
+			return mayBeChanged && present != m_scaled ? present : m_own;
+		}
+	};
+
+	struct Held
+	{
+		btTypedConstraint* m_constraint;
+		int m_type;  ///< by which another constraint at its address is told from it
+		Value m_threshold, m_impulse;
+		unsigned m_factors = 0;  ///< bit i: has the factor i
+		Value m_factor[MOST_FACTORS] = {};
+	};
+
+	static void giveBack(const Held& held, bool mayBeChanged);
+
+	btAlignedObjectArray<Held> m_held;
 };
 }  // namespace btElasticPlastic
 
