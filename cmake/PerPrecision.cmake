@@ -7,7 +7,7 @@
 #   ep_add_library(<name> SOURCES ... [INCLUDE <directory>...] [LINK <target>...])
 #   ep_add_executable(<name> SOURCES ... [LINK <target>...] [ONE_PRECISION])
 #   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS] [ONE_PRECISION])
-#                                                         GoogleTest; targets <name>-float and <name>-double
+#                                                         GoogleTest; targets <name>-float and <name>-double, tests <suite>.float, ...
 #   ep_add_window_test(<name> COMMAND ...)                what opens a window, run on a virtual display
 #
 # ONE_PRECISION makes one target alone: in float, as a game would, where there is a choice. A program's is <name>.
@@ -99,11 +99,27 @@ endfunction()
 
 set(EP_OF_DRAWING_TESTS ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)  # graphics drivers leak
 
+# Adds a test for each suite of a GoogleTest program: most single tests take less time than a process to start. The program is asked for
+# its suites when they are to run: one that cannot start fails the tests, not the build.
+function(ep_add_suites program suffix)
+	get_property(is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+	set(file ${CMAKE_CURRENT_BINARY_DIR}/${program}-suites)
+	set(PROPERTIES ${ARGN})
+	configure_file(${PROJECT_SOURCE_DIR}/cmake/Suites.cmake.in ${file}.cmake.in @ONLY)
+	if(is_multi_config)
+		file(GENERATE OUTPUT ${file}-$<CONFIG>.cmake INPUT ${file}.cmake.in)
+		file(WRITE ${file}.cmake "include(\"${file}-\${CTEST_CONFIGURATION_TYPE}.cmake\")\n")
+	else()
+		file(GENERATE OUTPUT ${file}.cmake INPUT ${file}.cmake.in)
+	endif()
+	set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${file}.cmake)
+endfunction()
+
 function(ep_add_test name)
 	cmake_parse_arguments(PARSE_ARGV 1 arg "DRAWS;ONE_PRECISION" "" "SOURCES;LINK")
 	set(properties "")
 	if(arg_DRAWS)
-		set(properties PROPERTIES ${EP_OF_DRAWING_TESTS})
+		set(properties ${EP_OF_DRAWING_TESTS})
 	endif()
 	if(NOT arg_SOURCES)
 		message(STATUS "${name}: no sources, left out")
@@ -119,8 +135,7 @@ function(ep_add_test name)
 		# A file of tests has a namespace of its own, by its name. Half of the time goes into what each would instantiate for itself.
 		set_target_properties(${target} PROPERTIES UNITY_BUILD "${CMAKE_UNITY_BUILD}" UNITY_BUILD_BATCH_SIZE 6)
 		target_precompile_headers(${target} REUSE_FROM ElasticPlasticTestHeaders${EP_SUFFIX_${precision}})
-		# Asked for its tests when they are to run: a program that cannot start fails the tests, not the build.
-		gtest_discover_tests(${target} TEST_SUFFIX .${precision} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 ${properties})
+		ep_add_suites(${target} .${precision} ${properties})
 	endforeach()
 endfunction()
 
