@@ -4,13 +4,14 @@
 # One set of sources, two precisions. Each function makes the target <name> on the float library and <name>-float64
 # on the double one; what stands after LINK and comes in both is given by its plain name.
 #
-#   ep_add_library(<name> SOURCES ... [INCLUDE <directory>...] [LINK <target>...])
+#   ep_add_library(<name> SOURCES ... [INCLUDE <directory>...] [LINK <target>...] [ANY_PRECISION])
 #   ep_add_executable(<name> SOURCES ... [LINK <target>...] [ONE_PRECISION])
 #   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS] [ONE_PRECISION])
 #                                                         GoogleTest; targets <name>-float and <name>-double, tests <suite>.float, ...
 #   ep_add_window_test(<name> COMMAND ...)                what opens a window, run on a virtual display
 #
 # ONE_PRECISION makes one target alone: in float, as a game would, where there is a choice. A program's is <name>.
+# ANY_PRECISION is for a library without Bullet: one target for both, <name>.
 # With EP_LIBRARIES_ON_DEMAND libraries are built where a program needs them.
 # DRAWS is for what draws pictures by OpenGL.
 # Without sources a library has headers only, and an executable is left out.
@@ -66,8 +67,12 @@ function(_ep_executable target precision)
 endfunction()
 
 function(ep_add_library name)
-	cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;INCLUDE;LINK")
-	foreach(precision IN LISTS EP_PRECISIONS)
+	cmake_parse_arguments(PARSE_ARGV 1 arg "ANY_PRECISION" "" "SOURCES;INCLUDE;LINK")
+	set(precisions ${EP_PRECISIONS})
+	if(arg_ANY_PRECISION)
+		set(precisions any)
+	endif()
+	foreach(precision IN LISTS precisions)
 		set(target ${name}${EP_SUFFIX_${precision}})
 		if(arg_SOURCES)
 			set(scope PUBLIC)
@@ -133,7 +138,7 @@ function(ep_add_test name)
 		set(target ${name}-${precision})
 		_ep_executable(${target} ${precision} SOURCES ${arg_SOURCES} LINK ${arg_LINK} GTest::gtest_main)
 		# A file of tests has a namespace of its own, by its name. Half of the time goes into what each would instantiate for itself.
-		set_target_properties(${target} PROPERTIES UNITY_BUILD "${CMAKE_UNITY_BUILD}" UNITY_BUILD_BATCH_SIZE 6)
+		set_target_properties(${target} PROPERTIES UNITY_BUILD "${CMAKE_UNITY_BUILD}")
 		target_precompile_headers(${target} REUSE_FROM ElasticPlasticTestHeaders${EP_SUFFIX_${precision}})
 		ep_add_suites(${target} .${precision} ${properties})
 	endforeach()
