@@ -283,12 +283,12 @@ void expectRight(const Shape& shape, int directions)
 
 TEST(ShearInteraction, IsRightInAllDirectionsOfAllSixForces)
 {
-	int directions = repeats(2000, 500);
+	int directions = repeats(2000, 200);
 	for (const Shape& shape : shapes())
 	{
 		// Of other sizes of the same.
 		if (std::string(shape.m_name) == "square")
-			directions = repeats(300, 100);
+			directions = repeats(300, 50);
 		expectRight(shape, directions);
 	}
 }
@@ -326,7 +326,7 @@ TEST(ShearInteraction, IsRightInSectionsThatAreNotSymmetric)
 		}
 		std::mt19937 random(1);
 		double least = 2, most = 0;
-		for (int i = 0; i < repeats(2000, 500); ++i)
+		for (int i = 0; i < repeats(2000, 200); ++i)
 		{
 			Loaded loaded(capacity);
 			const double share = shareBorne(loaded, scaledToSurface(exact, alone, anyDirection(random)));
