@@ -1,16 +1,9 @@
 # SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 # SPDX-License-Identifier: Zlib
 
-file(WRITE "${work}/cache.cmake" "${configuration}
-set(CMAKE_UNITY_BUILD ON CACHE BOOL \"\")
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 0 CACHE STRING \"\")
-")
+# Package.subdirectory has built it.
 list(GET precisions 0 precision)
-run("${CMAKE_COMMAND}" -C "${work}/cache.cmake" -G "${generator}" -S "${root}" -B "${work}/build" -DBUILD_SHARED_LIBS=ON
-	-DBULLET_EP_PRECISION=${precision} -DCMAKE_BUILD_TYPE=None -DBULLET_EP_BUILD_EXAMPLES=OFF -DBULLET_EP_BUILD_TESTS=OFF
-	-DBULLET_EP_BUILD_BENCHMARKS=OFF -DCMAKE_INSTALL_LIBDIR=lib)
-run("${CMAKE_COMMAND}" --build "${work}/build")
-run("${CMAKE_COMMAND}" --install "${work}/build" --prefix "${prefix}")
+run("${CMAKE_COMMAND}" --install "${work}/../package-subdirectory/build" --prefix "${prefix}")
 file(GLOB library "${prefix}/lib/libBulletElasticPlastic*.so")
 execute_process(COMMAND nm -DC --defined-only "${library}" OUTPUT_VARIABLE symbols COMMAND_ERROR_IS_FATAL ANY)
 if(NOT symbols MATCHES "btElasticPlasticAction::addJoint")
