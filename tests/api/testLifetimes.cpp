@@ -594,6 +594,40 @@ TEST(Lifetimes, ABodyMayLeaveTheWorldForAWhile)
 	}
 }
 
+TEST(Lifetimes, ABodyMayLeaveTheWorldBeforeItsFirstStep)
+{
+	for (Solver solver : SOLVERS)
+		for (int first = 1; first < 4; ++first)
+			for (int last = first; last < 4 && last < first + 2; ++last)
+			{
+				Diary diary;
+				Parts scene(solver);
+				scene.m_action->setListener(&diary);
+				scene.row(3, btScalar(1.5), strong());
+				for (int i = first; i <= last; ++i)
+					scene.m_world->removeRigidBody(scene.m_bodies[i].get());
+				scene.step(10);
+				// Joint i is before body i + 1.
+				const auto isThere = [&](int i) { return i < first || i > last; };
+				int numLeftOut = 0;
+				for (int i = 0; i < 3; ++i)
+				{
+					const bool holds = isThere(i) && isThere(i + 1);
+					numLeftOut += !holds;
+					EXPECT_EQ(holds ? 6 : 0, scene.m_joints[i]->getNumCommittedRows()) << first << last << i;
+				}
+				EXPECT_EQ(numLeftOut, int(diary.m_refused.size())) << int(solver) << first << last;
+				for (const std::string& text : diary.m_refused)
+					EXPECT_NE(std::string::npos, text.find("addRigidBody")) << text;
+				for (int i = first; i <= last; ++i)
+					scene.m_world->addRigidBody(scene.m_bodies[i].get());
+				scene.step(1);
+				EXPECT_EQ(numLeftOut, int(diary.m_refused.size()));
+				for (const auto& joint : scene.m_joints)
+					EXPECT_EQ(6, joint->getNumCommittedRows());
+			}
+}
+
 /// Does something after the bodies have been moved, before the joints end their step.
 struct Within : btActionInterface
 {

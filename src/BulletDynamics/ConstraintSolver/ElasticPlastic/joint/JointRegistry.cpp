@@ -27,6 +27,15 @@ bool isIn(const btDynamicsWorld& world, const btTypedConstraint& constraint)
 			return true;
 	return false;
 }
+
+/// Bullet's search for islands has a body's tag for an index, also of one that has left the world, and crashes on the -1 that it has until
+/// the world's first step. 0 is the index of a body that is there, unless nothing in the world can move; steps set the tags of what is in it.
+void tagForIslands(btTypedConstraint& constraint)
+{
+	for (btRigidBody* const body : {&constraint.getRigidBodyA(), &constraint.getRigidBodyB()})
+		if (!body->isStaticOrKinematicObject() && body->getIslandTag() < 0)
+			body->setIslandTag(0);
+}
 }  // namespace
 
 bool keepsFromColliding(btTypedConstraint& constraint)
@@ -97,6 +106,7 @@ bool JointRegistry::add(JointWorks& joint)
 	joint.setFault(fault ? fault : missingWorld);
 	// Bullet's search for islands crashes on a constraint one of whose bodies has never been in the world.
 	joint.setOutOfIslands(bool(missingWorld));
+	tagForIslands(joint.m_model.m_constraint);
 	joint.forgetUncommitted();
 	joint.forgetStepFault();
 	joint.m_step.revert();
@@ -490,13 +500,19 @@ void JointRegistry::tellLeftOut(const btDynamicsWorld& world)
 	for (int i = 0; i < m_leftOut.size(); ++i)
 		if (isThere(*m_leftOut[i]))
 			m_leftOut[i]->tellMissingBody();
+	if (!isAnyNew)
+		return;
+	for (int i = 0; i < m_joints.getEnd(); ++i)
+		if (!m_joints[i].isGap() && !m_joints[i].m_joint->hasBeenInWorld() && isThere(*m_joints[i].m_joint))
+		{
+			m_joints[i].m_joint->setInWorld();
+			// It was not asked for rows: a body that had left before the first step had no island.
+			m_joints[i].m_joint->tellMissingBody();
+		}
 	btAlignedObjectArray<JointWorks*> joints;
-	if (isAnyNew)
-		findDrawable(joints);
+	findDrawable(joints);
 	for (int i = 0; i < joints.size(); ++i)
-		if (isThere(*joints[i]))
-			joints[i]->setInWorld();
-		else if (!joints[i]->hasBeenInWorld() && !isBroken(*joints[i]))
+		if (!joints[i]->hasBeenInWorld() && !isThere(*joints[i]) && !isBroken(*joints[i]))
 			joints[i]->tellForgotten();
 }
 
