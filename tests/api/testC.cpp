@@ -6,9 +6,13 @@
 #include <math.h>
 #include <string.h>
 
+#include <cmath>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticC.h"
+#include "LinearMath/btScalar.h"
 
 namespace testC
 {
@@ -90,23 +94,109 @@ TEST_F(CInterface, RefusesWhatIsOutOfRange)
 	EXPECT_EQ(BTEP_OK, btep_world_step(m_world, 1. / 60));
 }
 
-TEST_F(CInterface, RefusesNumbersWhoseSquaresOrInversesAreNone)
+TEST_F(CInterface, RefusesWhatSinglePrecisionDoesNotBear)
 {
+	btep_world* other = nullptr;
 	int made = 0;
-	btep_body_description light = m_cube, thin = m_cube;
-	light.m_mass = 1e-310;
-	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_create(m_world, &light, &made));
-	expectMessage("mass and extents");
-	thin.m_extent[0] = thin.m_extent[1] = 1e-200;
-	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_create(m_world, &thin, &made));
-	btep_body_description heavy = m_cube;
-	heavy.m_mass = 1e306;
-	heavy.m_extent[0] = 1e10;
-	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_create(m_world, &heavy, &made));
-	const double fast[3] = {1e200, 0, 0};
-	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_set_velocity(m_world, m_block, fast, ORIGIN));
-	EXPECT_EQ(BTEP_BAD_VALUE, btep_body_set_velocity(m_world, m_block, ORIGIN, fast));
-	EXPECT_EQ(0, made);
+	// Of each range, what is beyond its ends: a little, and by far.
+	struct Case
+	{
+		double btep_body_description::*m_field;
+		std::vector<double> m_good, m_bad;
+		const char* m_message;
+	};
+	const Case cases[] = {{&btep_body_description::m_mass,
+						   {0, 1e-12, 1e9},
+						   {1e-310, 9e-13, 1.1e12, 1e30, 1e200, -1, NAN},
+						   "mass of a body"},
+						  {&btep_body_description::m_friction, {0, 100}, {-0.1, 101, 1e38, NAN}, "friction of a body"}};
+	for (const Case& each : cases)
+		for (const bool isGood : {true, false})
+			for (const double value : isGood ? each.m_good : each.m_bad)
+			{
+				btep_body_description body = m_cube;
+				body.*each.m_field = value;
+				EXPECT_EQ(isGood ? BTEP_OK : BTEP_BAD_VALUE, btep_body_create(m_world, &body, &made)) << value;
+				if (!isGood)
+					expectMessage(each.m_message);
+			}
+	for (const double bad : {9e-7, 1.1e7, 1e30, 1e200, -1., double(NAN)})
+	{
+		btep_body_description body = m_cube;
+		body.m_extent[2] = bad;
+		EXPECT_EQ(BTEP_BAD_VALUE, btep_body_create(m_world, &body, &made)) << bad;
+		expectMessage("extent of a body");
+	}
+	for (const double bad : {1.1e9, -1e30, 1e300, double(INFINITY), double(NAN)})
+	{
+		const double three[3] = {0, bad, 0};
+		btep_body_description body = m_cube;
+		body.m_position[1] = bad;
+		EXPECT_EQ(BTEP_BAD_VALUE, btep_body_create(m_world, &body, &made)) << bad;
+		expectMessage("coordinate of a body");
+		expectMessage("from -1e+09 to 1e+09");
+		EXPECT_EQ(BTEP_BAD_VALUE, btep_joint_create(m_world, m_wall, m_block, three, UPRIGHT, &m_capacity, &made));
+		expectMessage("coordinate of a joint");
+		EXPECT_EQ(BTEP_BAD_VALUE, btep_body_set_velocity(m_world, m_block, three, ORIGIN)) << bad;
+		expectMessage("velocity of a body");
+		EXPECT_EQ(BTEP_BAD_VALUE, btep_body_set_velocity(m_world, m_block, ORIGIN, three)) << bad;
+		expectMessage("angular velocity of a body");
+		EXPECT_EQ(BTEP_BAD_VALUE, btep_world_create(BTEP_VERSION, three, &other)) << bad;
+	}
+	EXPECT_EQ(nullptr, other);
+	for (const double bad : {1.1e18, 1.1e13, -1e30, double(NAN)})
+	{
+		const double force[3] = {0, 0, bad};
+		EXPECT_EQ(BTEP_BAD_VALUE, btep_body_apply_force(m_world, m_block, force)) << bad;
+		expectMessage("force on a body");
+	}
+	for (const double bad : {9e-10, 1.1e3, 1e30})
+		EXPECT_EQ(BTEP_BAD_VALUE, btep_world_step(m_world, bad)) << bad;
+}
+
+TEST_F(CInterface, TellsThatABodyIsNotFinite)
+{
+	// Of single precision an inertia that cannot be reckoned with is refused.
+	m_cube.m_mass = 1e12;
+	m_cube.m_extent[0] = 1e4;
+	int made = 0;
+	const bool isSingle = sizeof(btScalar) == sizeof(float);
+	ASSERT_EQ(isSingle ? BTEP_BAD_VALUE : BTEP_OK, btep_body_create(m_world, &m_cube, &made));
+	if (isSingle)
+		expectMessage("mass and extents of a body");
+	// What is extreme together can still become no number. It is told of as long as it is there, and the others go on without it.
+	std::vector<int> bodies;
+	const double masses[3] = {1e12, 1e-12, 1e-12};
+	for (int i = 0; i < 3; ++i)
+	{
+		btep_body_description body = {sizeof body,  i > 0, {0.8, 0.025, 0.8}, masses[i], {0.78 * i - 4, 0, 0},
+									  {0, 0, 0, 1}, 100};
+		const double velocity[3] = {i < 2 ? 0 : -2e5, i > 0 ? 0 : 4e4, 0},
+					 spin[3] = {i > 0 ? 0 : -60., i > 0 ? 0 : -1e4, 0};
+		ASSERT_EQ(BTEP_OK, btep_body_create(m_world, &body, &made)) << btep_world_message(m_world);
+		ASSERT_EQ(BTEP_OK, btep_body_set_velocity(m_world, made, velocity, spin));
+		bodies.push_back(made);
+	}
+	for (int i = 0; i < 10; ++i)
+	{
+		const int result = btep_world_step(m_world, 1. / 60);
+		bool areFinite = true;
+		for (const int body : bodies)
+		{
+			double linear[3], angular[3];
+			ASSERT_EQ(BTEP_OK, btep_body_get_velocity(m_world, body, linear, angular));
+			areFinite &= std::isfinite(linear[0] + linear[1] + linear[2] + angular[0] + angular[1] + angular[2]);
+		}
+		EXPECT_EQ(areFinite ? BTEP_OK : BTEP_NOT_FINITE, result) << i;
+		if (isSingle && i == 9)
+		{
+			EXPECT_FALSE(areFinite);
+			expectMessage("is not finite any more");
+		}
+	}
+	for (const int body : bodies)
+		ASSERT_EQ(BTEP_OK, btep_body_destroy(m_world, body));
+	EXPECT_EQ(BTEP_OK, btep_world_step(m_world, 1. / 60));
 }
 
 TEST_F(CInterface, TakesRotationsOfAnyLength)

@@ -138,13 +138,36 @@ void write(const btVector3& vector, double numbers[3])
 		numbers[i] = double(vector[i]);
 }
 
-bool areFinite(const double* numbers, int count)
+/// What a number may be, as the header says: beyond it, products of what comes of it are no numbers in single precision, and bodies that
+/// touch become NaN. Masses and spins are as in scene files; what has a length in it may be 1000 times as large, for millimetres.
+struct Range
 {
-	bool areFinite = true;
+	double m_least, m_most;
+
+	bool has(double value) const { return btElasticPlasticIsFinite(value) && value >= m_least && value <= m_most; }
+};
+
+Range upTo(double most) { return {-most, most}; }
+
+const Range MASS = {1e-12, 1e12}, EXTENT = {1e-6, 1e7}, PLACE = upTo(1e9), FRICTION = {0, 100}, VELOCITY = upTo(1e8),
+			SPIN = upTo(1e4), FORCE = upTo(1e18), ACCELERATION = upTo(1e12), GRAVITY = upTo(1e7), STEP = {1e-9, 1e3};
+
+bool areIn(const Range& range, const double numbers[3])
+{
+	return range.has(numbers[0]) && range.has(numbers[1]) && range.has(numbers[2]);
+}
+
+/// \return whether numbers are in their range; if not, the world's message says which is not
+bool check(btep_world& world, const char* name, const double* numbers, int count, const Range& range)
+{
 	for (int i = 0; i < count; ++i)
-		// What is no number in Bullet's precision any more is none.
-		areFinite &= btElasticPlasticIsFinite(double(btScalar(numbers[i])));
-	return areFinite;
+		if (!range.has(numbers[i]))
+		{
+			snprintf(world.m_message, sizeof world.m_message, "%s is %g; it must be from %g to %g", name, numbers[i],
+					 range.m_least, range.m_most);
+			return false;
+		}
+	return true;
 }
 
 double largestOf(const double rotation[4])
@@ -155,12 +178,12 @@ double largestOf(const double rotation[4])
 	return largest;
 }
 
-bool isPose(const double position[3], const double rotation[4])
+bool isRotation(const double rotation[4])
 {
 	bool isRotation = largestOf(rotation) > 0;
 	for (int i = 0; i < 4; ++i)
 		isRotation &= btElasticPlasticIsFinite(rotation[i]);
-	return areFinite(position, 3) && isRotation;
+	return isRotation;
 }
 
 btTransform poseOf(const double position[3], const double rotation[4])
@@ -173,16 +196,18 @@ btTransform poseOf(const double position[3], const double rotation[4])
 	return btTransform(turn.normalized(), vectorOf(position));
 }
 
-/// Whether Bullet can reckon with a number and with what it is the inverse of.
-bool hasInverse(btScalar value)
+/// The sum of numbers is finite only if all of them are.
+bool isFinite(const btRigidBody& body)
 {
-	return value > 0 && btElasticPlasticIsFinite(double(value)) && btElasticPlasticIsFinite(double(1 / value));
+	const btVector3 sum = body.getCenterOfMassPosition() + body.getLinearVelocity() + body.getAngularVelocity();
+	return btElasticPlasticIsFinite(double(sum.x() + sum.y() + sum.z()));
 }
 
-/// Whether velocities have energies that are numbers.
-bool areVelocities(const double numbers[3])
+/// Whether Bullet can reckon with a body's inertia: in its gyroscopic torques with the product of all three.
+bool isInertia(const btVector3& inertia)
 {
-	return areFinite(numbers, 3) && btElasticPlasticIsFinite(double(vectorOf(numbers).length2()));
+	const btScalar most = btMax(inertia.x(), btMax(inertia.y(), inertia.z()));
+	return btElasticPlasticIsFinite(double(1000 * most * most * most));
 }
 
 btElasticPlasticCapacity capacityOf(const btep_capacity& from)
@@ -266,7 +291,7 @@ int btep_world_create(int version, const double gravity[3], btep_world** world)
 	*world = nullptr;
 	if (version != BTEP_VERSION)
 		return BTEP_BAD_VERSION;
-	if (!areFinite(gravity, 3))
+	if (!areIn(GRAVITY, gravity))
 		return BTEP_BAD_VALUE;
 	*world = new btep_world(vectorOf(gravity));
 	return BTEP_OK;
@@ -280,9 +305,18 @@ int btep_world_step(btep_world* world, double length)
 {
 	if (!world)
 		return BTEP_BAD_POINTER;
-	if (!(length > 0) || !areFinite(&length, 1))
-		return world->fail(BTEP_BAD_VALUE, "the length of a step [s] must be finite and greater than 0");
+	if (!check(*world, "length of a step", &length, 1, STEP))
+		return BTEP_BAD_VALUE;
 	world->m_world.stepSimulation(btScalar(length), 0);
+	for (const auto& body : world->m_bodies)
+		if (!isFinite(*body.second.m_body))
+		{
+			snprintf(
+				world->m_message, sizeof world->m_message,
+				"body %d is not finite any more: destroy it and what it touches, and begin with less extreme values",
+				body.first);
+			return BTEP_NOT_FINITE;
+		}
 	return BTEP_OK;
 }
 
@@ -297,17 +331,17 @@ int btep_body_create(btep_world* world, const btep_body_description* description
 	const btep_body_description& d = *description;
 	if (d.m_size != sizeof d)
 		return world->fail(BTEP_BAD_VERSION, "m_size of a body's description is not that of a known version");
-	const int numExtents = d.m_shape == BTEP_BOX ? 3 : 1;
-	bool isExtended = areFinite(d.m_extent, numExtents);
-	for (int i = 0; i < numExtents; ++i)
-		isExtended &= d.m_extent[i] > 0;
-	if ((d.m_shape != BTEP_BOX && d.m_shape != BTEP_SPHERE) || !isExtended)
-		return world->fail(BTEP_BAD_VALUE,
-						   "shape of a body: it must be BTEP_BOX or BTEP_SPHERE, with extents greater than 0");
-	if (!isPose(d.m_position, d.m_rotation))
-		return world->fail(BTEP_BAD_VALUE, "pose of a body: it must be finite, with a rotation that is not 0");
-	if (!areFinite(&d.m_mass, 1) || d.m_mass < 0 || !areFinite(&d.m_friction, 1) || d.m_friction < 0)
-		return world->fail(BTEP_BAD_VALUE, "mass and friction of a body: they must be finite and not negative");
+	if (d.m_shape != BTEP_BOX && d.m_shape != BTEP_SPHERE)
+		return world->fail(BTEP_BAD_VALUE, "shape of a body: it must be BTEP_BOX or BTEP_SPHERE");
+	// By its bits: with -ffast-math processors take the least numbers for 0, and a body that was to move would stand.
+	const bool hasMass = btElasticPlasticMagnitudeBits(d.m_mass) != 0;
+	if (!check(*world, "extent of a body", d.m_extent, d.m_shape == BTEP_BOX ? 3 : 1, EXTENT) ||
+		!check(*world, "coordinate of a body", d.m_position, 3, PLACE) ||
+		(hasMass && !check(*world, "mass of a body that is not 0", &d.m_mass, 1, MASS)) ||
+		!check(*world, "friction of a body", &d.m_friction, 1, FRICTION))
+		return BTEP_BAD_VALUE;
+	if (!isRotation(d.m_rotation))
+		return world->fail(BTEP_BAD_VALUE, "rotation of a body: it must be finite, and not 0");
 
 	btep_world::Body made;
 	if (d.m_shape == BTEP_BOX)
@@ -315,15 +349,12 @@ int btep_body_create(btep_world* world, const btep_body_description* description
 	else
 		made.m_shape.reset(new btSphereShape(btScalar(d.m_extent[0])));
 	btVector3 inertia(0, 0, 0);
-	// By its bits: with -ffast-math processors take the least numbers for 0, and a body that was to move would stand.
-	const bool hasMass = btElasticPlasticMagnitudeBits(d.m_mass) != 0;
 	if (hasMass)
 		made.m_shape->calculateLocalInertia(btScalar(d.m_mass), inertia);
-	if (hasMass && !(hasInverse(btScalar(d.m_mass)) && hasInverse(inertia.x()) && hasInverse(inertia.y()) &&
-					 hasInverse(inertia.z())))
+	if (!isInertia(inertia))
 		return world->fail(
 			BTEP_BAD_VALUE,
-			"mass and extents of a body: its mass and inertia must be finite, and so must be 1 over them");
+			"mass and extents of a body: the cube of its inertia must be a number in the library's precision");
 	btRigidBody::btRigidBodyConstructionInfo info(btScalar(d.m_mass), nullptr, made.m_shape.get(), inertia);
 	info.m_startWorldTransform = poseOf(d.m_position, d.m_rotation);
 	info.m_friction = btScalar(d.m_friction);
@@ -387,8 +418,9 @@ int btep_body_set_velocity(btep_world* world, int body, const double linear[3], 
 	btRigidBody* const found = world->find(body);
 	if (!found)
 		return BTEP_BAD_HANDLE;
-	if (!areVelocities(linear) || !areVelocities(angular))
-		return world->fail(BTEP_BAD_VALUE, "velocities of a body: they must be finite, and so must be their squares");
+	if (!check(*world, "velocity of a body", linear, 3, VELOCITY) ||
+		!check(*world, "angular velocity of a body", angular, 3, SPIN))
+		return BTEP_BAD_VALUE;
 	found->activate();
 	found->setLinearVelocity(vectorOf(linear));
 	found->setAngularVelocity(vectorOf(angular));
@@ -402,8 +434,13 @@ int btep_body_apply_force(btep_world* world, int body, const double force[3])
 	btRigidBody* const found = world->find(body);
 	if (!found)
 		return BTEP_BAD_HANDLE;
-	if (!areFinite(force, 3))
-		return world->fail(BTEP_BAD_VALUE, "force on a body: it must be finite");
+	if (!check(*world, "force on a body", force, 3, FORCE))
+		return BTEP_BAD_VALUE;
+	double acceleration[3];
+	for (int i = 0; i < 3; ++i)
+		acceleration[i] = force[i] * double(found->getInvMass());
+	if (!check(*world, "force on a body over its mass", acceleration, 3, ACCELERATION))
+		return BTEP_BAD_VALUE;
 	found->activate();
 	found->applyCentralForce(vectorOf(force));
 	return BTEP_OK;
@@ -525,8 +562,10 @@ int btep_joint_create(btep_world* world, int body_a, int body_b, const double po
 	btRigidBody *const a = world->find(body_a), *const b = a ? world->find(body_b) : nullptr;
 	if (!a || !b)
 		return BTEP_BAD_HANDLE;
-	if (!isPose(position, rotation))
-		return world->fail(BTEP_BAD_VALUE, "pose of a joint: it must be finite, with a rotation that is not 0");
+	if (!check(*world, "coordinate of a joint", position, 3, PLACE))
+		return BTEP_BAD_VALUE;
+	if (!isRotation(rotation))
+		return world->fail(BTEP_BAD_VALUE, "rotation of a joint: it must be finite, and not 0");
 	const btTransform frame = poseOf(position, rotation);
 	std::unique_ptr<btep_world::Joint> made(new btep_world::Joint(
 		*a, *b, a->getCenterOfMassTransform().inverse() * frame, b->getCenterOfMassTransform().inverse() * frame));

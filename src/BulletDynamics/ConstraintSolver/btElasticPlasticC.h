@@ -8,6 +8,10 @@
    quaternions x, y, z, w. Bodies and joints are numbers above 0 that are never used again; worlds are pointers. Arrays are by degree of
    freedom: axial, shear y, shear z, torsion, bending y, bending z.
 
+   Numbers have ranges, in whatever units, beyond which they are refused: single precision does not bear what comes of them. Coordinates
+   are within +-1e9, velocities +-1e8, angular velocities +-1e4, gravity +-1e7, forces +-1e18 and +-1e12 times the body's mass, steps from
+   1e-9 to 1e3; bodies' ranges are below. In single precision inertias are limited to some 1e12, by the cube that Bullet takes of them.
+
    Functions return BTEP_OK or what is wrong, and then change nothing; btep_world_message() says it in words. A struct's m_size is to
    be sizeof of it: later versions may have more at its end. Pointers to results may not be null. A world is for one thread at a time. */
 
@@ -34,13 +38,14 @@ extern "C"
 		BTEP_BAD_HANDLE = -2,  /* no body or joint of the world has this number */
 		BTEP_BAD_VALUE = -3,   /* a value is out of its range */
 		BTEP_BAD_VERSION =
-			-4 /* the program was compiled with another version's header, or a struct's m_size is not that of a known version */
+			-4, /* the program was compiled with another version's header, or a struct's m_size is not that of a known version */
+		BTEP_NOT_FINITE = -5 /* a body has come to be no number, by values that are extreme together */
 	};
 
 	enum btep_shape
 	{
-		BTEP_BOX = 0,   /* m_extent: lengths of its edges [m], > 0 */
-		BTEP_SPHERE = 1 /* m_extent[0]: radius [m], > 0 */
+		BTEP_BOX = 0,   /* m_extent: lengths of its edges [m], 1e-6 to 1e7 */
+		BTEP_SPHERE = 1 /* m_extent[0]: radius [m], 1e-6 to 1e7 */
 	};
 
 	enum btep_event_type
@@ -58,10 +63,10 @@ extern "C"
 		size_t m_size;
 		int m_shape;          /* btep_shape */
 		double m_extent[3];   /* see btep_shape */
-		double m_mass;        /* [kg], 0: it does not move by itself */
+		double m_mass;        /* [kg], 1e-12 to 1e12; 0: it does not move by itself */
 		double m_position[3]; /* of its middle [m] */
 		double m_rotation[4]; /* of any length but 0 */
-		double m_friction;    /* 0 and more; Bullet has 0.5 */
+		double m_friction;    /* 0 to 100; Bullet has 0.5 */
 	};
 
 	/* Stiffness, yield value and ductility by degree of freedom; see btElasticPlasticCapacity. */
@@ -145,7 +150,8 @@ extern "C"
 	/* Of null it does nothing. Its bodies and joints go with it. */
 	void btep_world_destroy(btep_world* world);
 
-	/* One step of a finite length > 0 [s]. */
+	/* One step of a length [s].
+   \return BTEP_NOT_FINITE if a body is not finite after it, and as long as there is one */
 	int btep_world_step(btep_world* world, double length);
 
 	/* What the last call that failed had to say, in English; never null. It is valid until the next call. */
