@@ -63,13 +63,19 @@ def as_settings(settings: Optional[Mapping[str, object]]) -> List[Tuple[str, str
 	return [(str(path), as_json(value)) for path, value in settings.items()]
 
 
-def as_vector(value: ArrayLike, what: str, unit: str) -> Tuple[float, float, float]:
+# What single precision bears; places and velocities as in scene files.
+MOST_LOAD, MOST_PLACE, MOST_VELOCITY = 1e18, 1e6, 1e5
+
+
+def as_vector(value: ArrayLike, what: str, unit: str, most: float) -> Tuple[float, float, float]:
 	try:
 		vector = np.asarray(value, dtype=float)
 	except (TypeError, ValueError):
 		vector = np.empty(0)
 	if vector.shape != (3,) or not np.isfinite(vector).all():
 		raise SceneError(f"{what} is {value!r}; it must be three finite numbers [{unit}]")
+	if np.abs(vector).max() > most:
+		raise SceneError(f"{what} is {value!r}; each number must be from {-most:g} to {most:g} [{unit}]")
 	return float(vector[0]), float(vector[1]), float(vector[2])
 
 
@@ -165,7 +171,7 @@ class Body(Thing):
 
 	def push(self, velocity: ArrayLike) -> None:
 		"""Gives it a velocity [m/s]."""
-		self._run.push_body(self._index, as_vector(velocity, f"the velocity of {self._name!r}", "m/s"))
+		self._run.push_body(self._index, as_vector(velocity, f"the velocity of {self._name!r}", "m/s", MOST_VELOCITY))
 
 
 class Joint(Thing):
@@ -239,7 +245,7 @@ class LoadVector:
 
 	def at(self, load: Load, time: float) -> Tuple[float, float, float]:
 		value = self.given(load)
-		return as_vector(value(time) if callable(value) else value, f"the {self._name} on {load._on!r}", self._unit)
+		return as_vector(value(time) if callable(value) else value, f"the {self._name} on {load._on!r}", self._unit, MOST_LOAD)
 
 
 class Load:
@@ -252,7 +258,7 @@ class Load:
 		self._run, self._on = run, on
 		self._force, self._moment = force, moment
 		values = self._values(run.time())
-		self._number = run.add_load(on, as_vector(at, f"the place of the load on {on!r}", "m"), turns_along)
+		self._number = run.add_load(on, as_vector(at, f"the place of the load on {on!r}", "m", MOST_PLACE), turns_along)
 		run.set_load(self._number, *values)
 
 	@property

@@ -369,9 +369,31 @@ class Errors(unittest.TestCase):
 		with self.assertRaisesRegex(RuntimeError, "/dev/null/x"):
 			scene.write("/dev/null/x")
 
+	def test_of_numbers_that_are_too_large(self):
+		scene = ep.Scene(ROD)
+		for wrong in ((0, 1.1e18, 0), (-1e30, 0, 0), (0, 0, 1e308)):
+			for given in (wrong, lambda time, wrong=wrong: wrong):
+				for kind in ("force", "moment"):
+					with self.assertRaisesRegex(ep.SceneError, rf"the {kind} on 'load' is .*; each number must be from -1e\+18 to 1e\+18 \[N"):
+						scene.add_load("load", **{kind: given})
+		load = scene.add_load("load", (1e18, 0, 0))
+		with self.assertRaisesRegex(ep.SceneError, "the moment on 'load'"):
+			load.moment = (1e19, 0, 0)
+		load.remove()
+		with self.assertRaisesRegex(ep.SceneError, r"the place of the load on 'load' is .* to 1e\+06 \[m\]"):
+			scene.add_load("load", (1, 0, 0), at=(1e7, 0, 0))
+		with self.assertRaisesRegex(ep.SceneError, r"the velocity of 'load' is .* to 100000 \[m/s\]"):
+			scene.body("load").push((0, 1.1e5, 0))
+		# A function that grows too large is told of in the step.
+		scene.add_load("load", lambda time: (0, 1e20 if time > 0.02 else 0, 0))
+		with self.assertRaisesRegex(ep.SceneError, "the force on 'load'"):
+			scene.step(10)
+
 	def test_of_numbers_that_are_not_finite(self):
 		scene = ep.Scene(BOX)
-		scene.add_load("box", (1e308, 0, 0) if ep.PRECISION == "double" else (1e38, 0, 0), at=(0, 1e4, 0))
+		load = scene.add_load("box", at=(0, 1e4, 0))
+		# More than a load may be: nothing that is allowed leads there.
+		load._run.set_load(load._number, (1e308, 0, 0) if ep.PRECISION == "double" else (1e38, 0, 0), (0, 0, 0))
 		with self.assertRaisesRegex(ep.SceneError, "the scene cannot go on: since .* not finite"):
 			scene.step(100)
 		self.assertEqual(scene.ending, "not finite")
