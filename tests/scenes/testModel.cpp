@@ -3,6 +3,7 @@
 
 // ep-build from outside: models that are written here become scenes. Models as meshes of bodies.
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <tiny_gltf.h>
 
@@ -280,7 +281,12 @@ TEST(MeshFile, IsRefusedWithAMessage)
 	const TemporaryFolder folder;
 	const auto complaint = [&](const std::string& mesh)
 	{ return complaintOf([&] { describeScene(SceneText::read(slopeScene(folder, mesh))); }); };
-	expectParts(complaint("nowhere.glb"), {"scene.json:2: bodies.slope.mesh_file", "nowhere.glb", "is it there?"});
+	expectParts(complaint("nowhere.glb"), {"scene.json:2: bodies.slope.mesh_file", "nowhere.glb", "is it there"});
+	// Nobody writes to the pipe: whoever opened it would wait for ever.
+	ASSERT_EQ(mkfifo((folder.path() + "/pipe.glb").c_str(), 0600), 0);
+	expectParts(complaint("pipe.glb"), {"pipe.glb", "is it there, and a file?"});
+	folder.write("points.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "uri": "pipe.glb"}]})");
+	expectParts(complaint("points.gltf"), {"points.gltf", "cannot be read as glTF", "pipe.glb"});
 	folder.write("text.glb", "this is no model");
 	expectParts(complaint("text.glb"), {"text.glb", "cannot be read as glTF"});
 	ModelFile model;

@@ -3,6 +3,8 @@
 
 // Scene files: what a person is told of an error, and how files, settings and parameters come together.
 
+#include <sys/stat.h>
+
 #include "scenes/Scenes.h"
 
 namespace testSceneFile
@@ -204,6 +206,14 @@ TEST(SceneErrors, OfAFileThatIsNotThere)
 {
 	expectParts(complaintOf([] { SceneText::read("nowhere.json"); }), {"nowhere.json: ", "cannot be read"});
 	expectParts(complaintOf([] { SceneText::read("."); }), {"cannot be read"});
+	// Nobody writes to the pipe: whoever opened it would wait for ever.
+	const TemporaryFolder folder;
+	const std::string pipe = folder.path() + "/pipe";
+	ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+	expectParts(complaintOf([&] { SceneText::read(pipe); }), {"cannot be read: is it there, a file,"});
+	const std::string outer = folder.write("outer.json", R"({"version": 1, "include": ["pipe"]})");
+	expectParts(complaintOf([&] { SceneText::read(outer); }), {"pipe: cannot be read: is it there, a file,"});
+	expectParts(complaintOf([] { SceneText::read("/dev/zero"); }), {"cannot be read: is it there, a file,"});
 }
 
 // ---- comments, parameters, settings, files that include others

@@ -3,6 +3,7 @@
 
 #include "json/JsonFile.h"
 
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -48,23 +49,27 @@ std::string shown(const json& value)
 	return value.dump();
 }
 
+bool isRegularFile(const std::string& file)
+{
+	std::error_code unknown;
+	return std::filesystem::is_regular_file(file, unknown);
+}
+
 json readJson(const std::string& file)
 {
-	std::ifstream stream(file);
-	if (!stream)
-		throw std::runtime_error("it cannot be read: is it there, and may you read it?");
+	std::ifstream stream;
+	if (isRegularFile(file))
+		stream.open(file);
+	if (!stream.is_open())
+		throw std::runtime_error("it cannot be read: is it there, a file, and may you read it?");
 	try
 	{
 		return json::parse(stream, checkDepth);
 	}
-	// A syntax error, a number without bounds, or a directory. The message repeats what was read last, however long that is.
+	// A syntax error, or a number without bounds. The message repeats what was read last, however long that is.
 	catch (const json::exception& error)
 	{
 		throw std::runtime_error("it is no JSON: " + beginningOf(error.what(), 200));
-	}
-	catch (const std::ios_base::failure&)
-	{
-		throw std::runtime_error("it is no JSON, but a directory");
 	}
 }
 }  // namespace ep

@@ -11,6 +11,9 @@ namespace ep
 {
 const int DEEPEST = 16;
 
+/// Whether a name leads to a file that ends, links included: opening a pipe that nobody writes to waits for ever.
+bool isRegularFile(const std::string& file);
+
 /// Reads a file that anybody may have written. Lists and objects may be within each other up to DEEPEST levels: many of the
 /// library's functions call themselves once per level.
 /// Throws std::runtime_error that tells what is wrong, but not in which file: the caller knows what it is for.

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "LinearMath/btTransform.h"
+#include "json/JsonFile.h"
 #include "text/Format.h"
 
 namespace ep
@@ -202,21 +203,34 @@ private:
 	std::vector<ModelNode> m_nodes;
 	size_t m_visits = 0, m_numCorners = 0;
 };
+
+/// What the reader does with files by itself, but for what it takes for one.
+tinygltf::FsCallbacks filesThatEnd()
+{
+	tinygltf::FsCallbacks files{};
+	files.FileExists = [](const std::string& file, void*) { return isRegularFile(file); };
+	files.ExpandFilePath = &tinygltf::ExpandFilePath;
+	files.ReadWholeFile = &tinygltf::ReadWholeFile;
+	files.WriteWholeFile = &tinygltf::WriteWholeFile;
+	return files;
+}
 }  // namespace
 
 std::vector<ModelNode> readModelFile(const std::string& file)
 {
 	std::error_code unknown;
 	const auto size = std::filesystem::file_size(file, unknown);
-	if (unknown || size > MOST_BYTES)
-		throw std::runtime_error(unknown ? "cannot be read as glTF: is it there?"
-										 : format("is larger than %zu MB", MOST_BYTES >> 20));
+	if (unknown || !isRegularFile(file) || size > MOST_BYTES)
+		throw std::runtime_error(unknown || !isRegularFile(file) ? "cannot be read as glTF: is it there, and a file?"
+																 : format("is larger than %zu MB", MOST_BYTES >> 20));
 	tinygltf::Model model;
 	tinygltf::TinyGLTF reader;
 	// Pictures of surfaces are of no use here.
 	reader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*,
 							 int, void*) { return true; },
 						  nullptr);
+	// Files that a model names for its points, too.
+	reader.SetFsCallbacks(filesThatEnd());
 	std::string error, warning;
 	const bool isText = file.size() > 5 && file.compare(file.size() - 5, 5, ".gltf") == 0;
 	if (!(isText ? reader.LoadASCIIFromFile(&model, &error, &warning, file)

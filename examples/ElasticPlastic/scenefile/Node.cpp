@@ -244,9 +244,10 @@ Node parseJson(const std::string& text, const std::string& name, Complaints& com
 
 Node readJsonFile(const std::string& file, Complaints& complaints)
 {
-	std::ifstream stream(file, std::ios::binary);
+	std::ifstream stream;
+	if (isRegularFile(file))
+		stream.open(file, std::ios::binary);
 	std::string text;
-	// A directory opens, but cannot be read; what never ends is read as far as is allowed.
 	char block[1 << 16];
 	while (stream.read(block, sizeof block) || stream.gcount() > 0)
 	{
