@@ -25,7 +25,7 @@ MUTATIONS = [
     # ---- kinematics
     Mutation("arms meet off the middle", "Kinematics.cpp", "m_rB = armB.rounded() - d * btScalar(0.5)",
              "m_rB = armB.rounded() - d * btScalar(0.45)", "*Kinematics*:*JointStep*"),
-    Mutation("bow shortens less", "Kinematics.h", "strain[5] * strain[5]) / 12", "strain[5] * strain[5]) / 13", "*Kinematics*:*Stability*"),
+    Mutation("bow shortens less", "Kinematics.h", "lengthZ * z * z) / 12", "lengthZ * z * z) / 13", "*Kinematics*:*Stability*"),
     Mutation("flow of fibres stretches the axial spring", "JointStep.cpp", "state.m_initial[BT_EP_AXIAL] += longer;", "state.m_initial[BT_EP_AXIAL] += 0 * longer;", "Fibres.*"),
     Mutation("logarithm's series", "Kinematics.cpp", "btScalar(1. / 6)", "btScalar(1. / 5)", "*Kinematics*:*Hinge*"),
     Mutation("half of a turn", "Kinematics.cpp", "const btScalar s = btSin(angle / 2) / angle",
