@@ -370,11 +370,14 @@ void JointModel::takePoseAsReference(unsigned dofs)
 void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
 {
 	// What bows less is longer, and is not to be pressed for it.
-	btVector3 longer(0, 0, 0);
 	if (deformation[3] != 0 || deformation[4] != 0 || deformation[5] != 0)
-		longer = turnReference(deformation);
+	{
+		const btVector3 longer = turnReference(deformation);
+		for (int i = 0; i < 3; ++i)
+			m_state.m_initial[i] += longer[i];
+	}
 	for (int i = 0; i < 3; ++i)
-		m_state.m_initial[i] += longer[i] + deformation[i];
+		m_state.m_initial[i] += deformation[i];
 }
 
 JointModel::Stretch JointModel::findStretch() const
