@@ -143,8 +143,8 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 			continue;
 		const JointStep& step = works->m_step;
 		const btElasticPlasticState& state = works->m_model.m_state;
-		for (int r = 0; r < step.getNumRows(); ++r)
-			flows = flows || step.isFlowing(r);
+		for (int r = 0; r < step.getNumRows() && !flows; ++r)
+			flows = step.isFlowing(r);
 		if (isTaut)
 			*isTaut |= works->m_step.foreseeTension();
 		OpenShare::Motion motion = {};
