@@ -436,6 +436,36 @@ TEST(HardInput, StiffnessTooSmallToDivideBy)
 	}
 }
 
+TEST(HardInput, StiffnessesThatAreCoupled)
+{
+	// Their force is read from the inverse of their compliance, whose determinant has to be a number: in float it was none at 1e-20 N/m, and 0
+	// at 1e23, where forces that are no numbers were told.
+	for (int exponents = 0; exponents < 2 * 46; ++exponents)
+	{
+		const double shear = pow(10., exponents % 46 - 20), bending = exponents < 46 ? shear : 1;
+		SCOPED_TRACE(shear);
+		Pair pair(Solver::Direct, 0, 12, btVector3(0, -10, 0));
+		btElasticPlasticCapacity capacity = evenCapacity(shear, 1e5);
+		for (int dof : {BT_EP_BENDING_Y, BT_EP_BENDING_Z})
+			capacity.m_stiffness[dof] = btScalar(bending);
+		capacity.m_coupling[0] = capacity.m_coupling[1] = btScalar(0.7);
+		if (capacity.fault())
+		{
+			EXPECT_TRUE(shear < 1e-17 || shear > 1e17);
+			expectNames(Scene().refusalOf(capacity), "stiffness", "coupled", "1e-18 to 1e18");
+			continue;
+		}
+		const btElasticPlasticJoint* joint = pair.join(capacity);
+		run(pair.m_world, 10);
+		EXPECT_TRUE(btElasticPlasticIsFinite(joint->getElasticEnergy()));
+		for (int dof = 0; dof < BT_EP_DOF_COUNT; ++dof)
+		{
+			EXPECT_TRUE(btElasticPlasticIsFinite(double(joint->getForce(dof))));
+			EXPECT_EQ(0, joint->getPlasticPath(dof));
+		}
+	}
+}
+
 TEST(HardInput, FramesThatAreNoFrames)
 {
 	const btScalar inf = INFINITE, nan = NOT_A_NUMBER;

@@ -195,7 +195,9 @@ bool btElasticPlasticCapacity::isSameAs(const btElasticPlasticCapacity& other) c
 namespace
 {
 /// Products of two are numbers yet, in float with arms of fibres.
-const btScalar MOST_COUPLED_STIFFNESS = btScalar(1e24);
+const btScalar MOST_STIFFNESS_OF_FIBRES = btScalar(1e24);
+/// The determinant of two springs' compliance is a number in float.
+const btScalar LEAST_STIFFNESS_OF_PAIR = btScalar(1e-18), MOST_STIFFNESS_OF_PAIR = btScalar(1e18);
 const char* const LENGTH = "finite, from -1e6 to 1e6";
 
 bool isStrength(double value)
@@ -235,11 +237,16 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 				"greater than 0 where there is a yield value, at least 1e-20 (or rigid-plastic, by setRigidPlastic)",
 				i);
 	}
-	const bool isCoupled = hasFibres() || m_coupling[0] != 0 || m_coupling[1] != 0;
-	for (int i = 0; i < BT_EP_DOF_COUNT && isCoupled; ++i)
-		if (m_stiffness[i] > MOST_COUPLED_STIFFNESS)
-			return btElasticPlasticFault(i < 3 ? "stiffness [N/m]" : "stiffness [N m/rad]", m_stiffness[i],
-										 "at most 1e24 where springs are coupled or a section has fibres", i);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		const char* stiffness = i < 3 ? "stiffness [N/m]" : "stiffness [N m/rad]";
+		if (hasFibres() && m_stiffness[i] > MOST_STIFFNESS_OF_FIBRES)
+			return btElasticPlasticFault(stiffness, m_stiffness[i], "at most 1e24 where a section has fibres", i);
+		if (relativeCoupling(i) != 0 &&
+			!(m_stiffness[i] >= LEAST_STIFFNESS_OF_PAIR && m_stiffness[i] <= MOST_STIFFNESS_OF_PAIR))
+			return btElasticPlasticFault(stiffness, m_stiffness[i],
+										 "1e-18 to 1e18 where shear and bending are coupled", i);
+	}
 	if (btElasticPlasticFault f = faultOfFibres())
 		return f;
 	if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("length that bows [m]", m_length))
@@ -271,7 +278,7 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 				return btElasticPlasticFault("place of a fibre, y or z [m]", place, LENGTH);
 		if (btElasticPlasticFault f = btElasticPlasticCheckPositive("stiffness of a fibre [N/m]", fibre.m_stiffness))
 			return f;
-		if (!(fibre.m_stiffness >= leastStiffness()) || fibre.m_stiffness > MOST_COUPLED_STIFFNESS)
+		if (!(fibre.m_stiffness >= leastStiffness()) || fibre.m_stiffness > MOST_STIFFNESS_OF_FIBRES)
 			return btElasticPlasticFault("stiffness of a fibre [N/m]", fibre.m_stiffness, "1e-20 to 1e24");
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckNotNegative("strength of a fibre in tension [N]", fibre.m_tension))

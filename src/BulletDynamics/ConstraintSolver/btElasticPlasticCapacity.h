@@ -28,8 +28,8 @@ struct btElasticPlasticCapacity
 	/// The arms of a section's fibres, and lengths, are shorter: stiffness times their square is a number yet [m].
 	static btScalar greatestLength() { return btScalar(1e6); }
 
-	/// [N/m], [N m/rad], finite, >= 0, at most 1e24 where springs are coupled or there are fibres; a steel bar of 1 cm^2 and 1 m has
-	/// 2e7 N/m. Of a rigid-plastic degree of freedom: not used.
+	/// [N/m], [N m/rad], finite, >= 0; at most 1e24 where there are fibres, and 1e-18 to 1e18 of two that are coupled. A steel bar of
+	/// 1 cm^2 and 1 m has 2e7 N/m. Of a rigid-plastic degree of freedom: not used.
 	btScalar m_stiffness[BT_EP_DOF_COUNT];
 	btScalar m_yield[BT_EP_DOF_COUNT];      ///< force or moment at which it flows [N], [N m], 0 to greatestYield()
 	btScalar m_ductility[BT_EP_DOF_COUNT];  ///< plastic deformation at which the joint breaks [m], [rad], finite, > 0
