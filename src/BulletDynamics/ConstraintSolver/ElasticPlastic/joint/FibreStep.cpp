@@ -47,8 +47,6 @@ void prefetchAll(const btAlignedObjectArray<T>& array)
 
 void FibreStep::prefetch() const
 {
-	if (m_model.m_bearing.size() == 0)
-		return;
 	btElasticPlastic::prefetch(this, this + 1);
 	prefetchAll(m_model.m_bearing);
 	prefetchAll(m_model.m_state.m_fibres);

@@ -62,7 +62,11 @@ public:
 	}
 
 	/// The same of its fibres, which tell where they are once the joint itself has been loaded.
-	void prefetchFibres() const { m_step.getFibres().prefetch(); }
+	void prefetchFibres() const
+	{
+		if (m_model.m_bearing.size() > 0)
+			m_step.getFibres().prefetch();
+	}
 
 	/// Finds the works of a constraint without run-time type information. \return null if it is not elastic-plastic
 	static JointWorks* from(btTypedConstraint* constraint);
