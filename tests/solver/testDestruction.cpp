@@ -14,9 +14,9 @@
 
 #include "scenes/destruction/Catalogue.h"
 #include "solver/SmallDestruction.h"
+#include "support/AuditedPlay.h"
 #include "support/Precision.h"
 #include "support/Run.h"
-#include "world/EnergyAudit.h"
 
 namespace testDestruction
 {
@@ -107,21 +107,17 @@ struct Course
 	{
 		Stage stage(scene.settings());
 		scene.build(stage);
-		EnergyAudit audit(stage.world());
-		while (stage.frame() < scene.frames)
-		{
-			stage.playScript();
-			stage.solver()->resetStatistics();
-			audit.begin();
-			stage.step();
-			audit.end(btScalar(Stage::FRAME));
-			lookAtJoints(stage);
-			lookAtContacts(stage);
-			// Each inner step is one: in those of the free lattice, which spins, what long steps have left of the way to the side comes back.
-			const double steps = std::max(1., double(stage.solver()->getStatistics().m_innerSteps));
-			m_gain = std::max(m_gain, (audit.gain() - audit.bulletsRecovery()) / steps);
-		}
-		m_turnover = audit.turnover();
+		m_turnover = playAudited(stage, scene.frames,
+								 [&](double gain)
+								 {
+									 lookAtJoints(stage);
+									 lookAtContacts(stage);
+									 // Each inner step is one: in those of the free lattice, which spins, what long steps have left of the way to the side comes back.
+									 const double steps =
+										 std::max(1., double(stage.solver()->getStatistics().m_innerSteps));
+									 m_gain = std::max(m_gain, gain / steps);
+									 stage.solver()->resetStatistics();
+								 });
 		for (const auto& body : stage.world().bodies())
 			m_isFinite = m_isFinite && isFinite(*body);
 	}
@@ -241,25 +237,21 @@ TEST(Destruction, NorInALargeStructure)
 		ASSERT_NE(nullptr, scene);
 		Stage stage(Stage::Settings{});
 		scene->build(stage);
-		EnergyAudit audit(stage.world());
 		double largest = 0, mostIdle = 0;
-		while (stage.frame() < 90)
-		{
-			stage.playScript();
-			if (stage.frame() == 69)
-				stage.solver()->resetStatistics();
-			audit.begin();
-			stage.step();
-			audit.end(btScalar(Stage::FRAME));
-			largest = std::max(largest, audit.gain() - audit.bulletsRecovery());
-			mostIdle = std::max(mostIdle, frictionOfNothing(stage));
-		}
+		const double turnover = playAudited(stage, 90,
+											[&](double gain)
+											{
+												largest = std::max(largest, gain);
+												mostIdle = std::max(mostIdle, frictionOfNothing(stage));
+												if (stage.frame() == 69)
+													stage.solver()->resetStatistics();
+											});
 		EXPECT_EQ(0, mostIdle);
 		EXPECT_GT(stage.numBroken(), c.m_broken);
 		EXPECT_LT(stage.numBroken(), 4 * c.m_broken);
 		EXPECT_LE(stage.solver()->getStatistics().m_work, c.m_work);
 		// As above.
-		EXPECT_LE(largest, 1e-6 * audit.turnover() + byPrecision(0, 1));
+		EXPECT_LE(largest, 1e-6 * turnover + byPrecision(0, 1));
 	}
 }
 

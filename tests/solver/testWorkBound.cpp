@@ -8,12 +8,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "scenes/destruction/Stage.h"
 #include "solver/SmallDestruction.h"
+#include "support/AuditedPlay.h"
 #include "support/DirectSolver.h"
 #include "support/Precision.h"
 #include "support/Run.h"
-#include "world/EnergyAudit.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
 
@@ -40,22 +39,17 @@ struct Played
 		settings.m_maxInnerWork = maxInnerWork;
 		settings.m_contacts = contacts;
 		stage.solver()->setSettings(settings);
-		EnergyAudit audit(stage.world());
-		while (stage.frame() < scene.frames)
-		{
-			stage.playScript();
-			stage.solver()->resetStatistics();
-			audit.begin();
-			stage.step();
-			audit.end(btScalar(Stage::FRAME));
-			const btElasticPlasticStatistics& statistics = stage.solver()->getStatistics();
-			if (statistics.m_islands == 1)
-				m_mostWork = std::max(m_mostWork, statistics.m_work);
-			m_cut += statistics.m_cutSearches;
-			if (statistics.m_cutSearches > 0)
-				m_gain = std::max(m_gain, audit.gain() - audit.bulletsRecovery());
-		}
-		m_turnover = audit.turnover();
+		m_turnover = playAudited(stage, scene.frames,
+								 [&](double gain)
+								 {
+									 const btElasticPlasticStatistics& statistics = stage.solver()->getStatistics();
+									 if (statistics.m_islands == 1)
+										 m_mostWork = std::max(m_mostWork, statistics.m_work);
+									 m_cut += statistics.m_cutSearches;
+									 if (statistics.m_cutSearches > 0)
+										 m_gain = std::max(m_gain, gain);
+									 stage.solver()->resetStatistics();
+								 });
 		for (const auto& body : stage.world().bodies())
 			m_sum += body->getCenterOfMassPosition();
 	}
