@@ -12,6 +12,7 @@
 #include "support/Close.h"
 #include "support/DirectSolver.h"
 #include "support/SectionSurface.h"
+#include "world/Place.h"
 #include "world/EnergyAudit.h"
 #include "support/Repeats.h"
 
@@ -54,8 +55,14 @@ SectionSurface ring(double r, double inner, bool isSolid)
 			const double angle = 2 * PI * (j + 0.5) / count, sine = std::sin(angle), cosine = std::cos(angle);
 			ShearCell cell = {middle * sine, middle * cosine, area, {{-cosine, sine, middle}, {0, 0, 0}}, {0, 0}};
 			if (isSolid)
+			{
 				cell = {
 					middle * sine, middle * cosine, area, {{1, 0, -middle * cosine}, {0, 1, middle * sine}}, {0, 0}};
+				ShearCell warped = cell;
+				warped.warping[0] = -cell.z;
+				warped.warping[1] = -cell.y;
+				s.m_warped.push_back(warped);
+			}
 			s.m_cells.push_back(cell);
 		}
 	}
@@ -145,6 +152,8 @@ public:
 		m_body->updateInertiaTensor();
 		m_joint = isReversed ? m_world.joint(*m_body, *ground, m_frame, capacity)
 							 : m_world.joint(*ground, *m_body, m_frame, capacity);
+		for (int i = 0; i < capacity.m_fibres.size(); ++i)
+			m_tension += double(capacity.m_fibres[i].m_tension);
 	}
 
 	/// One step under a section's forces. \return whether it bears them
@@ -158,7 +167,9 @@ public:
 		m_world.step(btScalar(1) / 60);
 		for (int k = 0; k < 6; ++k)
 		{
-			const double own = m_joint->getCapacity().m_yield[k];
+			double own = m_joint->getCapacity().m_yield[k];
+			if (k == BT_EP_AXIAL && force[0] > 0)
+				own = std::min(own, m_tension);
 			if (std::fabs(m_joint->getAppliedForce(k) - force[size_t(k)]) > 0.01 * own)
 				return false;
 		}
@@ -170,6 +181,7 @@ public:
 	btScalar m_sign;
 	btRigidBody* m_body;
 	btElasticPlasticJoint* m_joint;
+	double m_tension = 0;  ///< what it bears of that [N]
 };
 
 struct Shape
@@ -180,11 +192,20 @@ struct Shape
 };
 
 /// \param stiffer  than steel; so stiff that places stay where they are, but not so that float rounds what is elastic of them
-btElasticPlasticCapacity capacityOf(const btElasticPlasticSection& section, double stiffer = inPrecision(100, 10))
+/// \param tension  strength in tension over the one in compression
+btElasticPlasticMaterial materialOf(double stiffer, double tension)
 {
 	btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(YIELD));
 	steel.m_ultimatePlasticStrain = btScalar(1e6);
 	steel.m_youngsModulus *= btScalar(stiffer);
+	steel.m_tensileShare = btScalar(tension);
+	return steel;
+}
+
+btElasticPlasticCapacity capacityOf(const btElasticPlasticSection& section, double stiffer = inPrecision(100, 10),
+									double tension = 1)
+{
+	const btElasticPlasticMaterial steel = materialOf(stiffer, tension);
 	return btElasticPlasticCapacity::fromMember(steel, section, btScalar(0.1), btScalar(0.1));
 }
 
@@ -219,7 +240,8 @@ std::vector<Shape> flatShapes()
 }
 
 /// How many times the forces, over what the section bears of each alone, it bears: they grow from 0.75 times by a hundredth in each step.
-double shareBorne(Loaded& loaded, const SectionForces6& scaled)
+/// \param isSudden  the 0.75 come at once. By hundredths where shear is borne by pressure, which has to be there: without, it slips in that step
+double shareBorne(Loaded& loaded, const SectionForces6& scaled, bool isSudden = true)
 {
 	const auto bears = [&](double share)
 	{
@@ -229,6 +251,8 @@ double shareBorne(Loaded& loaded, const SectionForces6& scaled)
 		return loaded.bears(now);
 	};
 	double share = 0.75;
+	for (double before = 0.01; before < share && !isSudden; before += 0.01)
+		bears(before);
 	for (int i = 0; i < 10; ++i)
 		bears(share);
 	while (share < 2.5 && bears(share))
@@ -336,6 +360,255 @@ TEST(ShearInteraction, IsRightInSectionsThatAreNotSymmetric)
 		EXPECT_GT(least, 1 - 0.08) << shape.m_name;
 		EXPECT_LT(most, 1 + 0.08) << shape.m_name;
 	}
+}
+
+/// Of a shape that is there in another size, too.
+bool isOfOtherSize(const Shape& shape)
+{
+	return shape.m_name == std::string("square") || shape.m_name == std::string("square box");
+}
+
+/// As of cast iron, of timber along its grain, and of concrete.
+const double WEAKER[] = {0.3, 0.6, 0.1};
+
+TEST(ShearInteraction, OfUnequalStrengthsHasAReferenceThatIsRight)
+{
+	for (const double tension : WEAKER)
+	{
+		SectionSurface square = solidRectangle(1, 1);
+		square.m_tension = tension;
+		// Stressed evenly: a point of the ellipse through (-1, 0), (0, t_0) and (r, 0).
+		for (const double normal : {-0.9, -0.5, -0.1, 0.05})
+		{
+			const double shear = std::sqrt((tension - normal) * (normal + 1) / (3 * tension));
+			EXPECT_NEAR(1, square.radius({{normal, shear, 0, 0, 0, 0}}), 1e-4) << tension << ", " << normal;
+		}
+		// Pulled by r above and pressed by 1 below where forces balance, at r / (1 + r) from the edge. Cells are 1/24 wide.
+		EXPECT_NEAR(tension / (1 + tension) / 2, square.radius({{0, 0, 0, 0, 0, 1}}), 2e-3) << tension;
+	}
+}
+
+/// Of what the library's section bears over what it should, the least and the most.
+std::pair<double, double> sharesBorne(const SectionSurface& exact, const btElasticPlasticCapacity& capacity,
+									  int directions)
+{
+	const SectionForces6 alone = exact.aloneAtRest();
+	std::mt19937 random(1);
+	double least = 2, most = 0;
+	for (int i = 0; i < directions; ++i)
+	{
+		Loaded loaded(capacity);
+		const double share = shareBorne(loaded, scaledToSurface(exact, alone, anyDirection(random)), false);
+		least = std::min(least, share);
+		most = std::max(most, share);
+	}
+	return {least, most};
+}
+
+TEST(ShearInteraction, IsRightOfConcreteWithBars)
+{
+	// A column with six bars at its sides, and a beam with three below: 1.5 % of steel, 15 times as strong as the concrete, which bears a tenth in tension.
+	// Forces are about the middle of the section.
+	const double width = 0.3, height = 0.5, tension = 0.1, strength = 15, area = 0.015 / 6 * width * height;
+	const std::vector<std::pair<double, double>> bars[] = {
+		{{0.21, 0.11}, {0.21, 0}, {0.21, -0.11}, {-0.21, 0.11}, {-0.21, 0}, {-0.21, -0.11}},
+		{{-0.21, 0.11}, {-0.21, 0}, {-0.21, -0.11}}};
+	for (const auto& places : bars)
+	{
+		SectionSurface exact = solidRectangle(width, height);
+		exact.m_tension = tension;
+		btElasticPlasticSection section =
+			btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)).withFibres(36);
+		btElasticPlasticMaterial steel = materialOf(inPrecision(100, 10), 1);
+		steel.m_yieldStress *= btScalar(strength);
+		for (const auto& place : places)
+		{
+			const ShearCell bar = {place.first, place.second, area, {}, {}, strength};
+			exact.m_cells.push_back(bar);
+			exact.m_warped.push_back(bar);
+			section.addBar(btScalar(bar.y), btScalar(bar.z), btScalar(area), steel);
+		}
+		const std::pair<double, double> shares =
+			sharesBorne(exact, capacityOf(section, inPrecision(100, 10), tension), repeats(2000, 80));
+		// The same bound, kept in 2000 directions. 0.945 to 1.065 measured in 80.
+		EXPECT_GT(shares.first, 1 - 0.08) << places.size();
+		EXPECT_LT(shares.second, 1 + 0.08) << places.size();
+	}
+}
+
+TEST(ShearInteraction, IsRightWhereStrengthsAreUnequal)
+{
+	for (const double tension : WEAKER)
+		for (Shape& shape : shapes())
+		{
+			if (isOfOtherSize(shape))
+				continue;
+			// Where the pressed part is a tenth of the height the default number of fibres errs by up to 15 % in N and bending alone.
+			if (tension < 0.2)
+				shape.m_section = shape.m_section.withFibresFor(btScalar(0.01));
+			shape.m_exact.m_tension = tension;
+			const std::pair<double, double> shares =
+				sharesBorne(shape.m_exact, capacityOf(shape.m_section, inPrecision(100, 10), tension),
+							repeats(2000, tension < 0.2 ? 40 : 80));
+			// The bound that such sections are asked to keep. 0.945 to 1.065 measured in 2000 directions with 0.3 and 0.6.
+			EXPECT_GT(shares.first, 1 - 0.08) << shape.m_name << ", " << tension;
+			EXPECT_LT(shares.second, 1 + 0.08) << shape.m_name << ", " << tension;
+		}
+}
+
+/// The most of one shear beside an axial force, over the strength in compression: the least of h(e, 1) - N e.
+double shearBeside(const SectionSurface& exact, size_t dof, double normal)
+{
+	double from = -5, to = 5;
+	const auto at = [&](double elongation)
+	{
+		SectionForces6 q = {{elongation, 0, 0, 0, 0, 0}};
+		q[dof] = 1;
+		return exact.support(q) - normal * elongation;
+	};
+	for (int i = 0; i < 40; ++i)
+	{
+		const double a = from + (to - from) / 3, b = to - (to - from) / 3;
+		(at(a) < at(b) ? to : from) = at(a) < at(b) ? b : a;
+	}
+	return at((from + to) / 2);
+}
+
+TEST(ShearInteraction, SlipsUnderAPressureAsItsStrengthsSay)
+{
+	// A body that is moved along the axis, and then across it. It needs no room for that: the normal force stays, or goes to where it is at most half
+	// of the way between the strengths or nothing at all.
+	for (const double tension : WEAKER)
+		for (Shape& shape : shapes())
+		{
+			if (isOfOtherSize(shape))
+				continue;
+			shape.m_exact.m_tension = tension;
+			const SectionForces6 alone = shape.m_exact.aloneAtRest();
+			const btElasticPlasticCapacity capacity = capacityOf(shape.m_section, 1, tension);
+			for (const double normal : {-0.8, -0.5, -0.2, 0., 0.5 * tension})
+				for (const int dof : {BT_EP_SHEAR_Y, BT_EP_SHEAR_Z})
+				{
+					Loaded loaded(capacity);
+					loaded.m_body->setMassProps(btScalar(1e12),
+												btVector3(btScalar(1e12), btScalar(1e12), btScalar(1e12)));
+					loaded.m_body->updateInertiaTensor();
+					const double yield[2] = {double(capacity.m_yield[0]), double(capacity.m_yield[dof])};
+					btVector3 pressing(0, 0, 0), slipping(0, 0, 0);
+					pressing[0] = btScalar(4 * normal * yield[0] / double(capacity.m_stiffness[0]));
+					slipping[dof] = btScalar(20 * yield[1] / double(capacity.m_stiffness[dof]));
+					for (int step = 0; step < 240; ++step)
+					{
+						loaded.m_body->setLinearVelocity(step < 60 ? pressing : slipping);
+						loaded.m_world.step(btScalar(1) / 240);
+					}
+					const double shear = double(loaded.m_joint->getForce(dof)) / yield[1],
+								 stays = double(loaded.m_joint->getForce(0)) / yield[0],
+								 exact = shearBeside(shape.m_exact, size_t(dof), stays * alone[0]) / alone[size_t(dof)];
+					// 0.981 to 1.001 measured: fibres on walls are where the web's middle is, and not all over it.
+					EXPECT_NEAR(1, shear / exact, 0.03) << shape.m_name << ", " << tension << " at " << normal;
+					// Stressed between both, none of its fibres moves along the axis.
+					if (normal <= 0 && normal >= (tension - 1) / 2)
+					{
+						EXPECT_NEAR(normal, stays, 0.01) << shape.m_name << ", " << tension;
+					}
+				}
+		}
+}
+
+/// Three blocks in a row, free to fly, that are struck at random every few steps so that their joints flow in all directions.
+class StruckRow
+{
+public:
+	StruckRow(const btElasticPlasticCapacity& capacity, unsigned seed)
+		: m_random(seed), m_world(Solver::Direct, btVector3(0, 0, 0))
+	{
+		btCollisionShape* const shape = m_world.box(btVector3(btScalar(0.1), btScalar(0.2), btScalar(0.2)));
+		for (int i = 0; i < 3; ++i)
+		{
+			m_bodies.push_back(m_world.body(30, shape, at(btScalar(0.1 * i)), false));
+			m_bodies.back()->setFlags(0);
+			if (i > 0)
+				m_joints.push_back(m_world.joint(*m_bodies[size_t(i - 1)], *m_bodies[size_t(i)],
+												 at(btScalar(0.1 * (i - 0.5))), capacity));
+		}
+		for (int k = 0; k < 6; ++k)
+			m_flow += double(capacity.m_yield[k] * capacity.m_yield[k] / capacity.m_stiffness[k]);
+	}
+
+	/// Some times the energy with which the joints begin to flow.
+	void strike()
+	{
+		std::normal_distribution<double> normal;
+		const double energy = std::pow(10, std::uniform_real_distribution<double>(-1, 1.5)(m_random)) * m_flow;
+		for (btRigidBody* body : m_bodies)
+		{
+			const auto any = [&](double share, double inertia)
+			{
+				const btScalar speed = btScalar(std::sqrt(2 * share * energy / inertia / 3));
+				return speed *
+					   btVector3(btScalar(normal(m_random)), btScalar(normal(m_random)), btScalar(normal(m_random)));
+			};
+			body->setLinearVelocity(body->getLinearVelocity() + any(0.5, 30));
+			body->setAngularVelocity(body->getAngularVelocity() +
+									 any(0.5, 1 / double(body->getInvInertiaDiagLocal().y())));
+		}
+	}
+
+	double held() const
+	{
+		double sum = m_world.kineticEnergy();
+		for (const btElasticPlasticJoint* joint : m_joints)
+			sum += joint->getElasticEnergy() + joint->getPlasticEnergy();
+		return sum;
+	}
+
+	std::mt19937 m_random;
+	World m_world;
+	std::vector<btRigidBody*> m_bodies;
+	std::vector<btElasticPlasticJoint*> m_joints;
+	double m_flow = 0;
+};
+
+TEST(ShearInteraction, OfUnequalStrengthsMakesNoEnergyAndIsFoundInFewSteps)
+{
+	for (const double tension : WEAKER)
+		for (const Shape& shape : shapes())
+		{
+			double slipped = 0, plastic = 0;
+			btElasticPlasticStatistics statistics;
+			for (unsigned seed = 0; seed < unsigned(repeats(10, 4)); ++seed)
+			{
+				StruckRow row(capacityOf(shape.m_section, 1, tension), seed);
+				EnergyAudit audit(row.m_world);
+				const int rate = 60 << seed % 6;
+				double given = 0;
+				for (int i = 0; i < 200; ++i)
+				{
+					const double before = row.m_world.kineticEnergy();
+					if (i % 20 == 0)
+						row.strike();
+					given += row.m_world.kineticEnergy() - before;
+					audit.step(btScalar(1) / rate);
+					// Flow is counted by a step's last velocity: 1.1e-4 measured, and 0.6e-4 of sections of equal strengths.
+					EXPECT_LE(row.held(), given * (1 + 1e-3)) << shape.m_name << ", " << tension << " at step " << i;
+				}
+				// The same: 1.2e-4 measured, and 3.2e-4 of equal strengths.
+				EXPECT_LE(audit.createdByJoints(), 1e-3) << shape.m_name << ", " << tension;
+				statistics += solverOf(row.m_world).getStatistics();
+				for (const btElasticPlasticJoint* joint : row.m_joints)
+				{
+					plastic += joint->getPlasticEnergy();
+					for (int dof = BT_EP_SHEAR_Y; dof <= BT_EP_TORSION; ++dof)
+						slipped += double(joint->getPlasticPath(dof) * joint->getCapacity().m_yield[dof]);
+				}
+			}
+			EXPECT_GT(slipped, 0.3 * plastic) << shape.m_name << ", " << tension;
+			EXPECT_EQ(0, statistics.m_cutSearches) << shape.m_name << ", " << tension;
+			EXPECT_EQ(0, statistics.m_notFinite) << shape.m_name << ", " << tension;
+			// 0.04 to 0.45 measured beyond the first linear solution, 0.04 to 0.19 of equal strengths.
+			EXPECT_LT(statistics.m_newtonSteps, 0.7 * double(statistics.m_islands)) << shape.m_name << ", " << tension;
+		}
 }
 
 TEST(ShearInteraction, IsLeftOutWhereItIsNotAskedFor)

@@ -25,10 +25,13 @@ struct SectionPiece
 	{
 		return double(m_from.m_area) * double(m_material.m_yieldStress) * double(m_material.m_loadBearingShare);
 	}
-	/// A material that is weaker in tension is no metal: shear is not taken of its strength.
+	/// A material without any strength in tension would bear no shear without pressure by the strength of its fibres, and one with friction says itself
+	/// what pressure adds: there shear is apart from them.
 	void shear(btElasticPlasticFibre& fibre) const
 	{
-		fibre.m_bearsShear = m_from.m_bearsShear && m_material.m_tensileShare == 1;
+		const bool isEven = m_material.m_tensileShare == 1,
+				   isByStrength = m_material.m_tensileShare > 0 && !(m_material.m_friction > 0);
+		fibre.m_bearsShear = m_from.m_bearsShear && (isEven || isByStrength);
 		for (int k = 0; k < 2 && fibre.m_bearsShear; ++k)
 		{
 			fibre.m_wall[k] = m_from.m_wall[k];

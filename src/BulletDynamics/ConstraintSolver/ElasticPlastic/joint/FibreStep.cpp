@@ -248,11 +248,15 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 	Strength strength;
 	static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(i);
 	strength.m_rate = strength.m_rateShare = 0;
-	const btScalar left = m_interaction.getLeft(i);
+	const auto lessen = [&]
+	{
+		const ShearInteraction::Left left = m_interaction.getLeft(i, strength);
+		strength.m_tension *= left.m_tension;
+		strength.m_compression *= left.m_compression;
+	};
 	if (fibre.isSteady())
 	{
-		strength.m_tension *= left;
-		strength.m_compression *= left;
+		lessen();
 		return strength;
 	}
 	const btScalar* const rates = motion.m_rate;
@@ -270,9 +274,8 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 			i, btScalar(flowInStep(i, beyond == beyondTension, double(beyond),
 								   double(fibre.m_stiffness) * (1 + double(s.m_stiffening)), double(stronger))));
 	strength.m_tension *= stronger;
-	strength.m_tension *= left;
 	strength.m_compression *= stronger;
-	strength.m_compression *= left;
+	lessen();
 	return strength;
 }
 
@@ -280,10 +283,12 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 FibreStep::Strength FibreStep::steadyStrength(int i) const
 {
 	const JointModel::BearingFibre& fibre = m_model.m_bearing[i];
-	const btScalar left = m_interaction.getLeft(i);
 	Strength strength;
-	strength.m_tension = left * (m_model.m_state.m_fibres[i].m_isCracked ? btScalar(0) : fibre.m_tension);
-	strength.m_compression = left * fibre.m_compression;
+	strength.m_tension = m_model.m_state.m_fibres[i].m_isCracked ? btScalar(0) : fibre.m_tension;
+	strength.m_compression = fibre.m_compression;
+	const ShearInteraction::Left left = m_interaction.getLeft(i, strength);
+	strength.m_tension *= left.m_tension;
+	strength.m_compression *= left.m_compression;
 	strength.m_rate = strength.m_rateShare = 0;
 	return strength;
 }
@@ -639,9 +644,12 @@ double FibreStep::flowForce(int i) const
 		return mapped.m_total;
 	const JointModel::FibreStrength before = m_model.strengthOf(i),
 									after = m_model.strengthOf(i, btScalar(fabs(mapped.m_increment)));
-	const double sum = mapped.m_increment > 0 ? double(before.m_tension) + double(after.m_tension)
-											  : double(before.m_compression) + double(after.m_compression);
-	return sum / 2 * (1 + double(m_strength[i].m_rateShare)) * double(m_interaction.getLeft(i));
+	const double tension = double(before.m_tension) + double(after.m_tension),
+				 compression = double(before.m_compression) + double(after.m_compression);
+	const ShearInteraction::Left left = m_interaction.getLeft(i, {btScalar(tension / 2), btScalar(compression / 2)});
+	const bool isPulled = mapped.m_increment > 0;
+	return (isPulled ? tension : compression) / 2 * (1 + double(m_strength[i].m_rateShare)) *
+		   double(isPulled ? left.m_tension : left.m_compression);
 }
 
 /// Notes that a fibre has cracked or ruptured, if it was the last of its piece's layers.

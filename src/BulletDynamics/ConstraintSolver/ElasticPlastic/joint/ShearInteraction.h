@@ -24,6 +24,17 @@ namespace btElasticPlastic
 /// normal force. What F leaves of shears and torsion is found in an ellipsoid that touches the surface where F grows to. On the surface the bounds'
 /// corner is F itself.
 ///
+/// A fibre that flows at -f_c when it is pressed and at f_t when it is pulled has its shear on an ellipse about the middle c = (f_t - f_c) / 2 with the half axis
+/// a = (f_t + f_c) / 2,
+///
+///     ((s - c) / a)^2 + (t / t_m)^2 = 1,   t_m = t_y / sqrt(1 - c^2 / a^2),
+///
+/// so that without a normal stress it bears t_y, which the section's yield values are for, and under pressure up to t_m. That is where the paraboloid of Stassi
+/// and of Raghava, Caddell and Yeh (1973), s^2 + 3 t^2 + (f_c - f_t) s = f_c f_t, cuts s and t, with a t_y of its own. Forces are counted from the
+/// middle of all fibres, and w_i = a. A fibre that would have to be pressed to bear its shear is left without tension: slip needs no room, and presses nothing.
+/// A section in which nothing moves along the axis slips under the pressure that it has. What pressure adds by friction is another law: with it, fibres of
+/// unequal strengths leave shears and torsion alone.
+///
 /// In a section that flows the bounds go on from there to where the surface's normal is the way in which the section moves, by as much as that
 /// would load it in the step if it was elastic: so flow comes to follow the normal, as von Mises' does.
 ///
@@ -47,8 +58,20 @@ public:
 	/// Whether anything is taken of the fibres' strength.
 	bool isAny() const { return m_left.size() > 0; }
 
-	/// What is left of a fibre's strength.
-	btScalar getLeft(int fibre) const { return m_left.size() > 0 ? m_left[fibre] : btScalar(1); }
+	/// What is left of a fibre's strength in tension and in compression, as shares of these.
+	struct Left
+	{
+		btScalar m_tension, m_compression;
+	};
+	/// \param strength  both, or what they are to each other
+	Left getLeft(int fibre, const JointModel::FibreStrength& strength) const
+	{
+		if (m_left.size() == 0)
+			return {1, 1};
+		const btScalar left = m_left[fibre];
+		const bool isEven = strength.m_tension == strength.m_compression || left == 1;
+		return isEven ? Left{left, left} : leftAboutMiddle(left, strength);
+	}
 
 	/// The same of the yield value of a shear or torsion.
 	btScalar getShare(int dof) const
@@ -59,9 +82,10 @@ public:
 private:
 	struct Fibre
 	{
-		double m_strength;
+		double m_strength;    ///< half of what is between its bounds
+		double m_middle;      ///< force halfway between them, 0 if it is as strong in tension as in compression
 		double m_normal[3];   ///< elongation by e, a_y, a_z
-		double m_slip[2][3];  ///< slip along y and z, or along a wall and nothing, by slips and the twist
+		double m_slip[2][4];  ///< slip along y and z, or along a wall and nothing, by slips, the twist and a warping
 		int m_numSlips;
 		double m_flow;  ///< n
 	};
@@ -76,17 +100,22 @@ private:
 
 	bool collect(const JointModel& model);
 	double search(const double force[6], double q[6]);
-	double shearAlone(int along, double least) const;
+	void warp(double least, Matrix& slip);
+	double shearAlone(int along, int across, double least) const;
 	double flowOf(const Fibre& fibre, const double q[6], bool withNormal) const;
 	void findShares(const double force[6], double share, double bears);
-	void follow(const double q[6], double amount);
+	double shareOf(const double force[6], const double q[6], double share) const;
+	void follow(const JointModel& model, const double q[6], double amount);
+	static Left leftAboutMiddle(btScalar left, const JointModel::FibreStrength& strength);
 
 	std::vector<Fibre> m_fibres;
 	double m_alone[6];  ///< what the section bears of N, M_y, M_z, V_y, V_z, T by itself, about the middle [N], [N m]
-	/// Of shears and torsion, over what each could be by itself: above 1 where another one lets it, as of angles with unequal legs.
+	/// Of shears and torsion, over what each could be by itself: above 1 where another one lets it, as of angles with unequal legs, or pressure does.
 	double m_mostShare[3];
 	double m_middle[3];                     ///< N, M_y, M_z in the middle of fibres of unequal strengths
+	bool m_isUneven = false;                ///< fibres that bear shear have unequal strengths
 	Matrix m_matrix;                        ///< of the last search, of shears and torsion, inverted
+	double m_warping[3];                    ///< by slips and the twist, in that search
 	double m_most = 0;                      ///< sum of w n with which it was made
 	btAlignedObjectArray<btScalar> m_left;  ///< none: all of it
 	btScalar m_share[3] = {1, 1, 1};
