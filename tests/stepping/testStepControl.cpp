@@ -422,6 +422,58 @@ TEST(StepControl, DoesNotHurryConstraintsThatReduceErrorsThemselves)
 			}
 }
 
+bool reduceErrorsByAFifth(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+						  const btCollisionObjectWrapper*, int, int)
+{
+	point.m_contactERP = btScalar(.2);
+	point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_ERP;
+	return true;
+}
+
+/// Two boxes that begin a tenth of their edge within each other: the lower one is joined, or not.
+struct BuiltIntoEachOther
+{
+	double m_energy;  ///< kinetic, after a frame [J]
+	double m_way;     ///< that they have parted by [m]
+
+	BuiltIntoEachOther(bool isControlled, bool isJoined)
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+		btRigidBody* const apart = world.body(1, cube, at(10));
+		world.joint(*world.body(1, cube, at(11), false), *apart, at(btScalar(10.5)), evenCapacity(1e8, 1e6));
+		btRigidBody* const lower = world.body(1, cube, at(0));
+		btRigidBody* const upper = world.body(1, cube, at(0, btScalar(.9)));
+		if (isJoined)
+			world.joint(*world.body(1, cube, at(0, -1), false), *lower, at(0, btScalar(-.5)), evenCapacity(1e8, 1e6));
+		for (btRigidBody* body : {lower, upper})
+			body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+		btElasticPlasticStepControl control(.01);
+		if (isControlled)
+			control.step(world.bullet(), world.action(), FRAME);
+		else
+			world.step(FRAME);
+		m_energy = world.kineticEnergy();
+		m_way = double((upper->getCenterOfMassPosition() - lower->getCenterOfMassPosition()).y()) - .9;
+	}
+};
+
+TEST(StepControl, DoesNotHurryContactsThatReduceErrorsThemselves)
+{
+	const ContactAddedCallback before = gContactAddedCallback;
+	gContactAddedCallback = reduceErrorsByAFifth;
+	for (const bool isJoined : {true, false})
+	{
+		const BuiltIntoEachOther once(false, isJoined), controlled(true, isJoined);
+		// A fifth of the overlap in a frame, and as much of what is left in each of its parts: (1 - 0.2 / n)^n is 0.8 to 0.82.
+		EXPECT_NEAR(.02, once.m_way, 1e-4) << isJoined;
+		EXPECT_NEAR(.02, controlled.m_way, .002) << isJoined;
+		// No more than that of the one that goes that way in a frame.
+		EXPECT_LE(controlled.m_energy, .5 * 1.2 * 1.2) << isJoined;
+	}
+	gContactAddedCallback = before;
+}
+
 TEST(StepControl, GivesConstraintsTheirOwnBack)
 {
 	ThreeBlocks scene;

@@ -3,6 +3,7 @@
 
 #include "btElasticPlasticConstraintSolver.h"
 
+#include "ElasticPlastic/solver/ContactFactors.h"
 #include "ElasticPlastic/solver/SolverWorks.h"
 
 btElasticPlasticConstraintSolver::btElasticPlasticConstraintSolver(btElasticPlasticOwnPrecision) {}
@@ -29,6 +30,7 @@ btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies
 	group.m_constraints = constraints;
 	group.m_numConstraints = numConstraints;
 	const btElasticPlastic::SolverGroup others = m_works->solve(group, info, debugDrawer, dispatcher);
+	const btElasticPlastic::ContactFactors factors(others, m_works->getSubstepShare());
 	if (others.m_numBodies > 0)
 		btSequentialImpulseConstraintSolver::solveGroup(others.m_bodies, others.m_numBodies, others.m_manifolds,
 														others.m_numManifolds, others.m_constraints,

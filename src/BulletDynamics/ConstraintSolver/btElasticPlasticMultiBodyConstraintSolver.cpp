@@ -3,6 +3,7 @@
 
 #include "btElasticPlasticMultiBodyConstraintSolver.h"
 
+#include "ElasticPlastic/solver/ContactFactors.h"
 #include "ElasticPlastic/solver/FrozenBodies.h"
 #include "ElasticPlastic/solver/MultiBodyGroup.h"
 
@@ -35,6 +36,7 @@ void btElasticPlasticMultiBodyConstraintSolver::solveMultiBodyGroup(
 	group.m_constraints = constraints;
 	group.m_numConstraints = numConstraints;
 	const bool hasJoints = m_group->split(*m_works, group, numMultiBodyConstraints > 0);
+	const btElasticPlastic::ContactFactors factors(group, m_works->getSubstepShare());
 	const btElasticPlastic::FrozenBodies frozen(bodies, hasJoints ? numBodies : 0);
 	if (hasJoints)
 		group = m_group->beginRest(info.m_timeStep);

@@ -94,7 +94,7 @@ struct btElasticPlasticSection
 	///               asked for, 36 by default, and some 100 for 1 %. Each bolt is one.
 	/// \param withShear  whether shears and torsion yield together with them: all six forces are then right within 8 % of von Mises' theory,
 	///               and shear takes of the fibres' strength, by the walls that bear it. Of materials that are weaker in
-	///               tension pressure adds to it; those without any, or with a friction, and polygon() are left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where
+	///               tension pressure adds to it; those with less than a tenth, or with a friction, and polygon() are left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where
 	///               they act together with the rest; a joint's step is an eighth to a quarter shorter where it is loaded beyond half of its strength
 	btElasticPlasticSection withFibres(int count = 0, bool withShear = true) const;
 

@@ -31,13 +31,14 @@ const double SEARCH_SHARE = 1. / 4;
 const double MOST_TURN = 1;
 
 /// Tells joints that the coming substep is as short as they need, so that the solver takes no inner steps.
-void tellJoints(btDynamicsWorld& world)
+/// \param share  of the step
+void tellJoints(btDynamicsWorld& world, btScalar share)
 {
 	for (int i = 0; i < world.getNumConstraints(); ++i)
 	{
 		const JointWorks* const joint = JointWorks::from(world.getConstraint(i));
 		if (joint && joint->m_entry.m_registry)
-			return joint->m_entry.m_registry->setStepControlled();
+			return joint->m_entry.m_registry->setStepControlled(share);
 	}
 }
 }  // namespace
@@ -136,9 +137,9 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	if (w.m_left <= 0)
 		return 0;
 	w.lookAhead(world);
-	tellJoints(world);
 	w.m_parts = 1 << (MAX_LEVEL - w.m_level);
 	const btScalar share = 1 / btScalar(1 << w.m_level);
+	tellJoints(world, share);
 	w.m_errorReduction.restore(world, nullptr);
 	w.m_errorReduction.scale(world, share);
 	const btScalar length = w.m_dt * share;

@@ -83,6 +83,7 @@ JointRegistry::~JointRegistry()
 		remove(getJoint(0));
 	if (m_watch)
 		m_watch->m_isDeleted = true;
+	*m_substepShare = 1;
 }
 
 // ---- joints
@@ -284,6 +285,7 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 	if (!isStep(timeStep))
 		return;
 	m_time += timeStep;
+	*m_substepShare = 1;
 	m_world = &world;
 	m_isCommitting = true;
 	m_joints.closeGaps();

@@ -5,6 +5,7 @@
 #define BT_ELASTIC_PLASTIC_JOINT_REGISTRY_H
 
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -111,8 +112,16 @@ public:
 	btScalar getWakingShare() const { return m_wakingShare; }
 
 	/// Tells that a btElasticPlasticStepControl has chosen the length of the coming substep: then there are no inner steps.
-	void setStepControlled() { m_controlledTime = m_time; }
+	/// \param share  of the control's step
+	void setStepControlled(btScalar share)
+	{
+		m_controlledTime = m_time;
+		*m_substepShare = share;
+	}
 	bool isStepControlled() const { return m_controlledTime == m_time; }
+
+	/// That share, 1 without a control. Solvers keep it, since they also solve what no joint tells of; it may outlive the registry.
+	std::shared_ptr<const btScalar> getSubstepShare() const { return m_substepShare; }
 
 	/// Wakes a body, with its weight in what is left of the step.
 	void wake(btRigidBody& body);
@@ -244,6 +253,7 @@ private:
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;
 	double m_controlledTime = -1;             ///< of the last substep that was
+	const std::shared_ptr<btScalar> m_substepShare = std::make_shared<btScalar>(btScalar(1));
 	int m_numNumbers = 0;                     ///< that joints have got
 	btScalar m_wakingShare = btScalar(0.05);  ///< see btElasticPlasticAction::setWakingShare
 	bool m_isCommitting = false;              ///< whether a substep is being ended

@@ -5,6 +5,7 @@
 
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
+#include "ContactFactors.h"
 #include "BulletCollision/CollisionDispatch/btCollisionObject.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
@@ -132,6 +133,8 @@ bool SolverWorks::findJoints(const SolverGroup& group)
 		m_joints[i] = JointWorks::from(group.m_constraints[i]);
 		hasJoints |= m_joints[i] != nullptr;
 	}
+	if (const JointRegistry* const registry = hasJoints ? findRegistry() : nullptr)
+		m_substepShare = registry->getSubstepShare();
 	return hasJoints;
 }
 
@@ -140,6 +143,7 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 {
 	if (!findJoints(given))
 		return given;
+	const ContactFactors factors(given, getSubstepShare());
 	SolverGroup group = given;
 	group.m_joints = &m_joints[0];
 	if (m_settings.m_form == BT_EP_ITERATIVE)

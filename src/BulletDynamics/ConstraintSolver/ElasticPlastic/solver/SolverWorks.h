@@ -32,6 +32,9 @@ public:
 	/// solvers gets an island in the next step, at the same time as others get others.
 	void beginStep();
 
+	/// Of the step of a control that has chosen the present substep's length, the share that it is; 1: there is none.
+	btScalar getSubstepShare() const { return m_substepShare ? *m_substepShare : btScalar(1); }
+
 	/// Solves all of a group that depends on elastic-plastic joints. \return what does not, which is left to Bullet
 	SolverGroup solve(const SolverGroup& group, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
 					  btDispatcher* dispatcher);
@@ -61,6 +64,7 @@ private:
 
 	btElasticPlasticSolverSettings m_settings;
 	bool m_isInPool = true;
+	std::shared_ptr<const btScalar> m_substepShare;  ///< of the action of the last joints; null: none yet
 	double m_poolTime = -1;  ///< of the joints' action, by which a solver in a pool knows steps apart
 	EarlyContacts m_earlyContacts;
 	Islands m_islands;
