@@ -248,15 +248,9 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 	Strength strength;
 	static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(i);
 	strength.m_rate = strength.m_rateShare = 0;
-	const auto lessen = [&]
-	{
-		const ShearInteraction::Left left = m_interaction.getLeft(i, strength);
-		strength.m_tension *= left.m_tension;
-		strength.m_compression *= left.m_compression;
-	};
 	if (fibre.isSteady())
 	{
-		lessen();
+		m_interaction.lessen(i, strength);
 		return strength;
 	}
 	const btScalar* const rates = motion.m_rate;
@@ -275,7 +269,7 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 								   double(fibre.m_stiffness) * (1 + double(s.m_stiffening)), double(stronger))));
 	strength.m_tension *= stronger;
 	strength.m_compression *= stronger;
-	lessen();
+	m_interaction.lessen(i, strength);
 	return strength;
 }
 
@@ -286,9 +280,7 @@ FibreStep::Strength FibreStep::steadyStrength(int i) const
 	Strength strength;
 	strength.m_tension = m_model.m_state.m_fibres[i].m_isCracked ? btScalar(0) : fibre.m_tension;
 	strength.m_compression = fibre.m_compression;
-	const ShearInteraction::Left left = m_interaction.getLeft(i, strength);
-	strength.m_tension *= left.m_tension;
-	strength.m_compression *= left.m_compression;
+	m_interaction.lessen(i, strength);
 	strength.m_rate = strength.m_rateShare = 0;
 	return strength;
 }

@@ -252,16 +252,17 @@ private:
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;
-	double m_controlledTime = -1;             ///< of the last substep that was
-	const std::shared_ptr<btScalar> m_substepShare = std::make_shared<btScalar>(btScalar(1));
-	int m_numNumbers = 0;                     ///< that joints have got
-	btScalar m_wakingShare = btScalar(0.05);  ///< see btElasticPlasticAction::setWakingShare
-	bool m_isCommitting = false;              ///< whether a substep is being ended
-	int m_numSeparations = 0;                 ///< broken joints whose bodies still overlap
-	WorldToken m_token;                       ///< in the world while there are any
-	Watch* m_watch = nullptr;                 ///< the innermost
-	btElasticPlasticEvent* m_told = nullptr;  ///< the event that listeners are being told
-	bool m_isStepTold = false;                ///< whether the listener was told of a bad step
+	double m_controlledTime = -1;  ///< of the last substep that was
+	const std::shared_ptr<btScalar> m_substepShare =
+		std::make_shared<btScalar>(btScalar(1));  ///< see getSubstepShare()
+	int m_numNumbers = 0;                         ///< that joints have got
+	btScalar m_wakingShare = btScalar(0.05);      ///< see btElasticPlasticAction::setWakingShare
+	bool m_isCommitting = false;                  ///< whether a substep is being ended
+	int m_numSeparations = 0;                     ///< broken joints whose bodies still overlap
+	WorldToken m_token;                           ///< in the world while there are any
+	Watch* m_watch = nullptr;                     ///< the innermost
+	btElasticPlasticEvent* m_told = nullptr;      ///< the event that listeners are being told
+	bool m_isStepTold = false;                    ///< whether the listener was told of a bad step
 	int m_nextWorldIndex = 0;  ///< where the joint after the one last looked for may stand in the world's list
 	bool m_hasNew = false;     ///< whether joints have been added since the last substep
 };

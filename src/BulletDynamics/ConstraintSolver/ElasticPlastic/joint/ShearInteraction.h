@@ -79,6 +79,14 @@ public:
 		return dof >= BT_EP_SHEAR_Y && dof <= BT_EP_TORSION ? m_share[dof - BT_EP_SHEAR_Y] : btScalar(1);
 	}
 
+	/// Takes from a fibre's strength what is not left of it.
+	void lessen(int fibre, JointModel::FibreStrength& strength) const
+	{
+		const Left left = getLeft(fibre, strength);
+		strength.m_tension *= left.m_tension;
+		strength.m_compression *= left.m_compression;
+	}
+
 private:
 	struct Fibre
 	{

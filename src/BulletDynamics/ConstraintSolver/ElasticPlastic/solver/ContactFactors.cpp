@@ -7,13 +7,18 @@
 
 namespace btElasticPlastic
 {
+bool hasOwnFactor(const btManifoldPoint& point)
+{
+	return (point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) != 0;
+}
+
 ContactFactors::ContactFactors(const SolverGroup& group, btScalar share)
 {
 	for (int i = 0; i < group.m_numManifolds && share < 1; ++i)
 		for (int k = 0; k < group.m_manifolds[i]->getNumContacts(); ++k)
 		{
 			btManifoldPoint& point = group.m_manifolds[i]->getContactPoint(k);
-			if (!(point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP))
+			if (!hasOwnFactor(point))
 				continue;
 			m_held.push_back({&point, point.m_contactERP});
 			point.m_contactERP *= share;

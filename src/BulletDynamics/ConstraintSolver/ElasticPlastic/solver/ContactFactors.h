@@ -12,6 +12,9 @@ class btManifoldPoint;
 
 namespace btElasticPlastic
 {
+/// Whether a contact has a factor of error reduction of its own.
+bool hasOwnFactor(const btManifoldPoint& point);
+
 /// Contacts' own factors of error reduction (BT_CONTACT_FLAG_HAS_CONTACT_ERP), made those of a substep as long as this object exists: in proportion, as
 /// the world's are. They are the user's for a step: by them, a substep would push bodies apart as many times as fast. Bullet asks its user for them
 /// whenever it finds a contact, and so they are made less between that and the solution.

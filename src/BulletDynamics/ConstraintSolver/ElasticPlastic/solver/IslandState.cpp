@@ -7,6 +7,7 @@
 #include "../joint/BodyGate.h"
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
+#include "ContactFactors.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btTransformUtil.h"
@@ -34,11 +35,6 @@ btScalar* impulsesOf(btManifoldPoint& point, btScalar* impulses)
 	impulses[1] = point.m_appliedImpulseLateral1;
 	impulses[2] = point.m_appliedImpulseLateral2;
 	return impulses;
-}
-
-bool hasOwnErp(const btManifoldPoint& point)
-{
-	return (point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) != 0;
 }
 
 void setImpulses(btManifoldPoint& point, const btScalar* impulses, btScalar share)
@@ -355,7 +351,7 @@ double IslandState::getTaken() const
 void IslandState::leave(const Point& point, const btScalar* impulses)
 {
 	setImpulses(*point.m_point, impulses, 1);
-	if (hasOwnErp(*point.m_point))
+	if (hasOwnFactor(*point.m_point))
 		point.m_point->m_contactERP = point.m_erp;
 }
 
@@ -367,7 +363,7 @@ void IslandState::scalePoints(btScalar share)
 		btScalar impulses[3];
 		impulsesOf(point, impulses);
 		setImpulses(point, impulses, share);
-		if (hasOwnErp(point))
+		if (hasOwnFactor(point))
 			point.m_contactERP *= share;
 	}
 }
