@@ -307,12 +307,12 @@ void expectRight(const Shape& shape, int directions)
 
 TEST(ShearInteraction, IsRightInAllDirectionsOfAllSixForces)
 {
-	int directions = repeats(2000, 200);
+	int directions = repeats(2000, 100);
 	for (const Shape& shape : shapes())
 	{
 		// Of other sizes of the same.
 		if (std::string(shape.m_name) == "square")
-			directions = repeats(300, 50);
+			directions = repeats(300, 30);
 		expectRight(shape, directions);
 	}
 }
@@ -350,7 +350,7 @@ TEST(ShearInteraction, IsRightInSectionsThatAreNotSymmetric)
 		}
 		std::mt19937 random(1);
 		double least = 2, most = 0;
-		for (int i = 0; i < repeats(2000, 200); ++i)
+		for (int i = 0; i < repeats(2000, 100); ++i)
 		{
 			Loaded loaded(capacity);
 			const double share = shareBorne(loaded, scaledToSurface(exact, alone, anyDirection(random)));
@@ -429,7 +429,7 @@ TEST(ShearInteraction, IsRightOfConcreteWithBars)
 			section.addBar(btScalar(bar.y), btScalar(bar.z), btScalar(area), steel);
 		}
 		const std::pair<double, double> shares =
-			sharesBorne(exact, capacityOf(section, inPrecision(100, 10), tension), repeats(2000, 80));
+			sharesBorne(exact, capacityOf(section, inPrecision(100, 10), tension), repeats(2000, 40));
 		// The same bound, kept in 2000 directions. 0.945 to 1.065 measured in 80.
 		EXPECT_GT(shares.first, 1 - 0.08) << places.size();
 		EXPECT_LT(shares.second, 1 + 0.08) << places.size();
@@ -449,7 +449,7 @@ TEST(ShearInteraction, IsRightWhereStrengthsAreUnequal)
 			shape.m_exact.m_tension = tension;
 			const std::pair<double, double> shares =
 				sharesBorne(shape.m_exact, capacityOf(shape.m_section, inPrecision(100, 10), tension),
-							repeats(2000, tension < 0.2 ? 40 : 80));
+							repeats(2000, tension < 0.2 ? 10 : 30));
 			// The bound that such sections are asked to keep. 0.945 to 1.065 measured in 2000 directions with 0.3 and 0.6.
 			EXPECT_GT(shares.first, 1 - 0.08) << shape.m_name << ", " << tension;
 			EXPECT_LT(shares.second, 1 + 0.08) << shape.m_name << ", " << tension;
@@ -474,9 +474,27 @@ double shearBeside(const SectionSurface& exact, size_t dof, double normal)
 	return at((from + to) / 2);
 }
 
+/// Moves the body along the axis, up to a share of the axial force's yield value, and then across it or about it, twenty times as far as it takes to yield.
+void pressAndSlip(Loaded& loaded, double normal, int dof)
+{
+	loaded.m_body->setMassProps(btScalar(1e12), btVector3(btScalar(1e12), btScalar(1e12), btScalar(1e12)));
+	loaded.m_body->updateInertiaTensor();
+	const btElasticPlasticCapacity& capacity = loaded.m_joint->getCapacity();
+	const auto elastic = [&](int k) { return capacity.m_yield[k] / capacity.m_stiffness[k]; };
+	btVector3 pressing(0, 0, 0), slipping(0, 0, 0);
+	pressing[0] = 4 * btScalar(normal) * elastic(0);
+	slipping[dof % 3] = 20 * elastic(dof);
+	for (int step = 0; step < 240; ++step)
+	{
+		loaded.m_body->setLinearVelocity(step < 60 ? pressing : dof < 3 ? slipping : btVector3(0, 0, 0));
+		loaded.m_body->setAngularVelocity(step < 60 || dof < 3 ? btVector3(0, 0, 0) : slipping);
+		loaded.m_world.step(btScalar(1) / 240);
+	}
+}
+
 TEST(ShearInteraction, SlipsUnderAPressureAsItsStrengthsSay)
 {
-	// A body that is moved along the axis, and then across it. It needs no room for that: the normal force stays, or goes to where it is at most half
+	// What slips needs no room for it: the normal force stays, or goes to where it is at most half
 	// of the way between the strengths or nothing at all.
 	for (const double tension : WEAKER)
 		for (Shape& shape : shapes())
@@ -490,18 +508,8 @@ TEST(ShearInteraction, SlipsUnderAPressureAsItsStrengthsSay)
 				for (const int dof : {BT_EP_SHEAR_Y, BT_EP_SHEAR_Z})
 				{
 					Loaded loaded(capacity);
-					loaded.m_body->setMassProps(btScalar(1e12),
-												btVector3(btScalar(1e12), btScalar(1e12), btScalar(1e12)));
-					loaded.m_body->updateInertiaTensor();
+					pressAndSlip(loaded, normal, dof);
 					const double yield[2] = {double(capacity.m_yield[0]), double(capacity.m_yield[dof])};
-					btVector3 pressing(0, 0, 0), slipping(0, 0, 0);
-					pressing[0] = btScalar(4 * normal * yield[0] / double(capacity.m_stiffness[0]));
-					slipping[dof] = btScalar(20 * yield[1] / double(capacity.m_stiffness[dof]));
-					for (int step = 0; step < 240; ++step)
-					{
-						loaded.m_body->setLinearVelocity(step < 60 ? pressing : slipping);
-						loaded.m_world.step(btScalar(1) / 240);
-					}
 					const double shear = double(loaded.m_joint->getForce(dof)) / yield[1],
 								 stays = double(loaded.m_joint->getForce(0)) / yield[0],
 								 exact = shearBeside(shape.m_exact, size_t(dof), stays * alone[0]) / alone[size_t(dof)];
@@ -577,7 +585,7 @@ TEST(ShearInteraction, OfUnequalStrengthsMakesNoEnergyAndIsFoundInFewSteps)
 		{
 			double slipped = 0, plastic = 0;
 			btElasticPlasticStatistics statistics;
-			for (unsigned seed = 0; seed < unsigned(repeats(10, 4)); ++seed)
+			for (unsigned seed = 0; seed < unsigned(repeats(10, 1)); ++seed)
 			{
 				StruckRow row(capacityOf(shape.m_section, 1, tension), seed);
 				EnergyAudit audit(row.m_world);
@@ -608,6 +616,29 @@ TEST(ShearInteraction, OfUnequalStrengthsMakesNoEnergyAndIsFoundInFewSteps)
 			EXPECT_EQ(0, statistics.m_notFinite) << shape.m_name << ", " << tension;
 			// 0.04 to 0.45 measured beyond the first linear solution, 0.04 to 0.19 of equal strengths.
 			EXPECT_LT(statistics.m_newtonSteps, 0.7 * double(statistics.m_islands)) << shape.m_name << ", " << tension;
+		}
+}
+
+TEST(ShearInteraction, PressureAddsNothingToWhatHasNextToNoTension)
+{
+	// By the ellipse it would be half of what is between the strengths, which is out of all proportion to what they bear of shear without it. A section's
+	// material may be such, its fibres by themselves, or what a fire leaves of them.
+	const btElasticPlasticSection section =
+		btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.2)).withFibres();
+	for (const double tension : {1e-6, 1e-3, 0.09})
+		for (const bool byHand : {false, true})
+		{
+			btElasticPlasticCapacity capacity = capacityOf(section, 1, byHand ? 0.3 : tension);
+			for (int i = 0; i < capacity.m_fibres.size() && byHand; ++i)
+				capacity.m_fibres[i].m_tension = btScalar(tension) * capacity.m_fibres[i].m_compression;
+			for (int dof = BT_EP_SHEAR_Y; dof <= BT_EP_TORSION; ++dof)
+			{
+				// By itself it bears just what it was given.
+				Loaded loaded(capacity);
+				pressAndSlip(loaded, -0.4, dof);
+				EXPECT_NEAR(1, double(loaded.m_joint->getForce(dof) / capacity.m_yield[dof]), 1e-3)
+					<< tension << (byHand ? " by hand" : "") << ", " << dof;
+			}
 		}
 }
 

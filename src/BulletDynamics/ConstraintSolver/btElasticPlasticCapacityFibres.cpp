@@ -13,9 +13,6 @@ using namespace btElasticPlastic;
 
 namespace
 {
-/// Share of the strength in tension from which shear is taken of the fibres' strength.
-const btScalar LEAST_SHEARED = btScalar(0.1);
-
 /// A piece of a section: what it is made of, and its stiffness over the length.
 struct SectionPiece
 {
@@ -28,14 +25,10 @@ struct SectionPiece
 	{
 		return double(m_from.m_area) * double(m_material.m_yieldStress) * double(m_material.m_loadBearingShare);
 	}
-	/// A material with next to no strength in tension would bear no shear without pressure by the strength of its fibres, and one with friction says itself
-	/// what pressure adds: there shear is apart from them.
 	void shear(btElasticPlasticFibre& fibre) const
 	{
-		const bool isEven = m_material.m_tensileShare == 1,
-				   isByStrength = m_material.m_tensileShare >= LEAST_SHEARED && !(m_material.m_friction > 0);
-		fibre.m_bearsShear = m_from.m_bearsShear && (isEven || isByStrength);
-		for (int k = 0; k < 2 && fibre.m_bearsShear; ++k)
+		fibre.m_bearsShear = m_from.m_bearsShear;
+		for (int k = 0; k < 2; ++k)
 		{
 			fibre.m_wall[k] = m_from.m_wall[k];
 			fibre.m_twist[k] = m_from.m_twist[k];

@@ -34,7 +34,8 @@ struct btElasticPlasticFibre
 	/// Of the section, by which events name it: 0 is the section itself, i the i-th bar or part that was added; an added part's bars come after
 	/// it. A layer of the fibre before, as hardening makes them, has its part and its place.
 	int m_part = 0;
-	/// Whether the shears and the torsion of the joint take of its strength. The rest below is of one that does.
+	/// Whether the shears and the torsion of the joint take of its strength, if the lesser of m_tension and m_compression is a tenth of the greater
+	/// one at least, and, where both differ, the capacity has no m_friction. The rest below is of one that does.
 	bool m_bearsShear = false;
 	/// Direction of the wall along which it is sheared, a unit vector of y and z; 0: in any direction.
 	btScalar m_wall[2] = {0, 0};

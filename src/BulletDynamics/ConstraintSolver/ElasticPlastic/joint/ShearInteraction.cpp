@@ -35,6 +35,9 @@ const double LONGEST_TURN = 0.3;
 const double LEAST_SHARE = 0.1;
 /// The same of fibres: one without any strength in tension would open as a crack does.
 const double LEAST_LEFT = 1e-3;
+/// Of a fibre's strengths the lesser one, over the greater, from which it bears shear by them. Under pressure it bears up to half of what is between both:
+/// with less, that is out of all proportion to what it bears without.
+const double LEAST_EVEN = 0.1;
 /// Of walls that run at an angle to the section's axes, by how much one such direction outweighs the other.
 const double LEAST_ASKEW = 1e-3;
 /// Keeps what fibres on one line do not determine out of the way.
@@ -90,6 +93,15 @@ double shearAtRest(const btElasticPlasticFibre& fibre)
 				 middle = (tension - compression) / (tension + compression);
 	return sqrt((1 - middle) * (1 + middle));
 }
+
+/// Whether a fibre bears shear by its strengths. Pressure adds to shear by unequal strengths or by friction, and not by both.
+bool bearsShear(const btElasticPlasticFibre& fibre, btScalar friction)
+{
+	const btScalar greater = btMax(fibre.m_tension, fibre.m_compression),
+				   lesser = btMin(fibre.m_tension, fibre.m_compression);
+	return fibre.m_bearsShear && lesser > 0 &&
+		   (lesser == greater || (lesser >= btScalar(LEAST_EVEN) * greater && !(friction > 0)));
+}
 }  // namespace
 
 /// Takes the fibres with what each of the six forces counts for in them, over what the section bears of it alone. A fibre of unequal strengths
@@ -98,6 +110,11 @@ double shearAtRest(const btElasticPlasticFibre& fibre)
 bool ShearInteraction::collect(const JointModel& model)
 {
 	const btElasticPlasticCapacity& capacity = model.m_capacity;
+	bool isAny = false;
+	for (int i = 0; i < capacity.m_fibres.size(); ++i)
+		isAny |= bearsShear(capacity.m_fibres[i], capacity.m_friction);
+	if (!isAny)
+		return false;
 	m_fibres.clear();
 	double slips[3] = {}, most[3] = {}, askew = 0;
 	m_isUneven = false;
@@ -120,9 +137,7 @@ bool ShearInteraction::collect(const JointModel& model)
 		const double wall[2] = {double(own.m_wall[0]), double(own.m_wall[1])},
 					 twist[2] = {double(own.m_twist[0]), double(own.m_twist[1])};
 		const bool isWall = wall[0] != 0 || wall[1] != 0;
-		// Pressure adds to shear by unequal strengths or by friction, and not by both.
-		const bool isApart = atRest < 1 && capacity.m_friction > 0;
-		fibre.m_numSlips = own.m_bearsShear && atRest > 0 && !isApart ? (isWall ? 1 : 2) : 0;
+		fibre.m_numSlips = bearsShear(own, capacity.m_friction) ? (isWall ? 1 : 2) : 0;
 		m_isUneven |= fibre.m_numSlips > 0 && middle != 0;
 		if (fibre.m_numSlips == 1)
 		{
