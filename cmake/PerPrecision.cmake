@@ -6,7 +6,7 @@
 #
 #   ep_add_library(<name> SOURCES ... [INCLUDE <directory>...] [LINK <target>...] [ANY_PRECISION])
 #   ep_add_executable(<name> SOURCES ... [LINK <target>...] [ONE_PRECISION])
-#   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS] [ONE_PRECISION])
+#   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS] [ONE_PRECISION] [COST <ctest's>])
 #                                                         GoogleTest; targets <name>-float and <name>-double, tests <suite>.float, ...
 #   ep_add_window_test(<name> COMMAND ...)                what opens a window, run on a virtual display
 #
@@ -121,10 +121,13 @@ function(ep_add_suites program suffix)
 endfunction()
 
 function(ep_add_test name)
-	cmake_parse_arguments(PARSE_ARGV 1 arg "DRAWS;ONE_PRECISION" "" "SOURCES;LINK")
+	cmake_parse_arguments(PARSE_ARGV 1 arg "DRAWS;ONE_PRECISION" "COST" "SOURCES;LINK")
 	set(properties "")
 	if(arg_DRAWS)
 		set(properties ${EP_OF_DRAWING_TESTS})
+	endif()
+	if(arg_COST)
+		list(APPEND properties COST ${arg_COST})
 	endif()
 	if(NOT arg_SOURCES)
 		message(STATUS "${name}: no sources, left out")

@@ -61,9 +61,9 @@ TEST(StepControl, KeepsToTheErrorThatIsAllowed)
 	{ return known.count(name) ? known.at(name) : other; };
 	for (const Problem& problem : problems())
 	{
-		// At 1 % portals take three quarters of the time: one stands for the other two.
+		// At 1 % these take three quarters of the time: another portal, and a beam of such a section, stand for them.
 		const std::string name = problem.name;
-		if ((name == "portal-beam" || name == "portal-sway") && !repeats(1, 0))
+		if ((name == "portal-beam" || name == "portal-sway" || name == "section-concrete") && !repeats(1, 0))
 			continue;
 		const Outcome atTenPercent = solve(problem.name, 0.1), atOne = solve(problem.name, 0.01);
 		EXPECT_LT(atTenPercent.error(), boundOf(coarse, problem.name, 0.1))
