@@ -119,12 +119,20 @@ TEST(WorldPool, AnySolverOfAPoolGivesTheSameBits)
 	EXPECT_GT(static_cast<btElasticPlasticConstraintSolver&>(*discrete.m_solver).getStatistics().m_iterations, 0);
 }
 
+/// A site whose pool has one solver, which is told, too.
+std::unique_ptr<Site> siteOf(btElasticPlasticConstraintSolver*& solver)
+{
+	solver = new btElasticPlasticConstraintSolver;
+	btConstraintSolver* solvers[] = {solver};
+	return std::make_unique<Site>(std::unique_ptr<btConstraintSolverPoolMt>(new btConstraintSolverPoolMt(solvers, 1)));
+}
+
 /// The number of analyses that a solver in a pool needs for a chain of 4 bodies that becomes one of 3, of 2, and of 4 again.
 int countAnalyses(int stepsBetween)
 {
-	auto* const solver = new btElasticPlasticConstraintSolver;
-	btConstraintSolver* solvers[] = {solver};
-	Site site(std::unique_ptr<btConstraintSolverPoolMt>(new btConstraintSolverPoolMt(solvers, 1)));
+	btElasticPlasticConstraintSolver* solver = nullptr;
+	const std::unique_ptr<Site> owned = siteOf(solver);
+	Site& site = *owned;
 	std::vector<btRigidBody*> blocks{&site.body(0, btVector3(1, 1, 1), at(0))};
 	for (int i = 1; i < 5; ++i)
 	{
@@ -141,6 +149,27 @@ int countAnalyses(int stepsBetween)
 		site.m_action.repair(site.m_joints[size_t(i)].get());
 	site.run(stepsBetween);
 	return solver->getStatistics().m_analyses;
+}
+
+TEST(WorldPool, TakesNoInnerSteps)
+{
+	// They would move bodies on which islands of other threads stand. A solver takes them by default, and in a pool whether it has been set up or not.
+	for (const bool isSetUp : {false, true})
+	{
+		btElasticPlasticConstraintSolver* solver = nullptr;
+		const std::unique_ptr<Site> site = siteOf(solver);
+		if (isSetUp)
+		{
+			EXPECT_TRUE(solver->setSettings(solver->getSettings()));
+		}
+		build(*site);
+		site->run(60);
+		EXPECT_EQ(0, solver->getStatistics().m_innerSteps) << isSetUp;
+	}
+	Site discrete(Kind::Discrete);
+	build(discrete);
+	discrete.run(60);
+	EXPECT_GT(static_cast<btElasticPlasticConstraintSolver&>(*discrete.m_solver).getStatistics().m_innerSteps, 0);
 }
 
 TEST(WorldPool, AgesItsPlans) { EXPECT_GT(countAnalyses(30), countAnalyses(5)); }

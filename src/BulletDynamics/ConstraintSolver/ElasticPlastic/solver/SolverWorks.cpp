@@ -50,7 +50,11 @@ bool isForAnyThread(const SolverGroup& island)
 }
 }  // namespace
 
-SolverWorks::SolverWorks() { m_solvers.emplace_back(new IslandSolver); }
+SolverWorks::SolverWorks()
+{
+	m_solvers.emplace_back(new IslandSolver);
+	setSolverSettings();
+}
 
 void SolverWorks::setSettings(const btElasticPlasticSolverSettings& settings)
 {
