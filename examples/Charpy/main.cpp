@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
 
@@ -10,6 +9,7 @@
 #include "studies/Report.h"
 #include "view/Scene.h"
 #include "studies/Studies.h"
+#include "cli/CommandLine.h"
 #include "cli/WindowOptions.h"
 #include "text/OutputFiles.h"
 #ifdef EP_WITH_VIEWER
@@ -20,14 +20,14 @@ namespace
 {
 struct Options
 {
-	explicit Options(CLI::App& app) : scene(app)
+	explicit Options(ep::CommandLine& line) : scene(line)
 	{
-		app.add_flag("--headless", headless,
+		line.addFlag("--headless", headless,
 					 "No window: one line on the terminal, summary.json, energy.csv and energy.svg");
-		app.add_flag("--pictures", pictures, "Leave pictures of the test, and no more");
+		line.addFlag("--pictures", pictures, "Leave pictures of the test, and no more");
 		window.screenshotTime = 3;
-		ep::addWindowOptions(app, window);
-		app.add_option("--out", out, "Directory for what is left")->capture_default_str();
+		ep::addWindowOptions(line, window);
+		line.add("--out", out, "Directory for what is left").showDefault();
 		std::vector<std::string> names = {"all"};
 		std::string help = "Many tests with these settings, their results as a table, CSV and SVG: all";
 		for (const ep::charpy::Study& s : ep::charpy::studies())
@@ -35,7 +35,7 @@ struct Options
 			names.push_back(s.name);
 			help += std::string("; ") + s.name + ": " + s.help;
 		}
-		app.add_option("--study", study, help)->check(CLI::IsMember(names));
+		line.add("--study", study, help).oneOf(names);
 	}
 
 	ep::charpy::Options scene;
@@ -95,9 +95,10 @@ void run(const Options& o)
 
 int main(int argc, char** argv)
 {
-	CLI::App app("Charpy: a pendulum hammer strikes a notched specimen that bends, or breaks");
-	Options options(app);
-	CLI11_PARSE(app, argc, argv);
+	ep::CommandLine line("Charpy: a pendulum hammer strikes a notched specimen that bends, or breaks");
+	Options options(line);
+	if (const std::optional<int> status = line.parse(argc, argv))
+		return *status;
 	try
 	{
 		run(options);

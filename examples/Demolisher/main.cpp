@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "runs/Comparison.h"
 #include "runs/DemolisherOptions.h"
 #include "runs/Headless.h"
+#include "cli/CommandLine.h"
 #include "cli/WindowOptions.h"
 #ifdef EP_WITH_VIEWER
 #include "viewer/Viewer.h"
@@ -16,20 +16,20 @@ namespace
 {
 struct Options
 {
-	explicit Options(CLI::App& app) : scene(app)
+	explicit Options(ep::CommandLine& line) : scene(line)
 	{
-		app.add_flag("--list", list, "Name scenes, joints and solvers, and end");
-		app.add_flag("--headless", isHeadless,
+		line.addFlag("--list", list, "Name scenes, joints and solvers, and end");
+		line.addFlag("--headless", isHeadless,
 					 "No window: the autopilot drives; summary.json, joints.csv and pictures are left");
-		app.add_flag("--figure-11", figure11,
+		line.addFlag("--figure-11", figure11,
 					 "The paper's Figure 11, headless: three states, each a picture and a summary");
-		app.add_flag(
+		line.addFlag(
 			"--compare", compares,
 			"Tables of what joints and solvers cost and get wrong on the same bridge, and how fast each scene is");
-		app.add_option("--out", headless.out, "Directory for what a headless run leaves")->capture_default_str();
+		line.add("--out", headless.out, "Directory for what a headless run leaves").showDefault();
 		window.recordTime = headless.seconds;
-		ep::addWindowOptions(app, window);
-		app.get_option("--seconds")->description("Longest simulated time of a headless run, length of the film [s]");
+		ep::addWindowOptions(line, window);
+		line.describe("--seconds", "Longest simulated time of a headless run, length of the film [s]");
 	}
 
 	ep::DemolisherOptions scene;
@@ -62,9 +62,10 @@ void runWindow(const Options& o)
 
 int main(int argc, char** argv)
 {
-	CLI::App app("Demolisher: a heavy vehicle, and things whose steel joints yield before they break");
-	Options options(app);
-	CLI11_PARSE(app, argc, argv);
+	ep::CommandLine line("Demolisher: a heavy vehicle, and things whose steel joints yield before they break");
+	Options options(line);
+	if (const std::optional<int> status = line.parse(argc, argv))
+		return *status;
 	try
 	{
 		options.headless.seconds = options.window.recordTime;

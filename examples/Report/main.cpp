@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -13,6 +12,7 @@
 #include <thread>
 
 #include "cases/CaseRunner.h"
+#include "cli/CommandLine.h"
 #include "page/Page.h"
 #include "page/Pictures.h"
 #include "LinearMath/btScalar.h"
@@ -195,20 +195,20 @@ void run(const Options& o, const char* self)
 int main(int argc, char** argv)
 {
 	Options o;
-	CLI::App app("Error against run time: every reference problem by every method");
-	app.add_option("--out", o.out, "Folder for the report; a report begun there goes on")->capture_default_str();
-	app.add_flag("--quick", o.quick, "Few steps and methods: some minutes");
-	app.add_flag("--few", o.few, "All steps, but few methods: a quarter of the time");
-	app.add_option("--problem", o.problems, "Only this problem; may be given several times")
-		->check(CLI::IsMember(allProblems()));
-	app.add_option("--jobs", o.jobs, "Cases computed at the same time; 1 for times that can be trusted")
-		->check(CLI::Range(1, 1024))
-		->capture_default_str();
-	app.add_option("--shard", o.shard, "i/n: only every n-th case from the i-th; the same folder collects all shards");
-	app.add_option("--repeats", o.repeats, "Runs of which the median time counts; default: 3, with --quick 1")
-		->check(CLI::Range(1, 1000));
-	app.add_flag("--list", o.list, "Tells the problems");
-	CLI11_PARSE(app, argc, argv);
+	ep::CommandLine line("Error against run time: every reference problem by every method");
+	line.add("--out", o.out, "Folder for the report; a report begun there goes on").showDefault();
+	line.addFlag("--quick", o.quick, "Few steps and methods: some minutes");
+	line.addFlag("--few", o.few, "All steps, but few methods: a quarter of the time");
+	line.add("--problem", o.problems, "Only this problem; may be given several times").oneOf(allProblems());
+	line.add("--jobs", o.jobs, "Cases computed at the same time; 1 for times that can be trusted")
+		.within(1, 1024)
+		.showDefault();
+	line.add("--shard", o.shard, "i/n: only every n-th case from the i-th; the same folder collects all shards");
+	line.add("--repeats", o.repeats, "Runs of which the median time counts; default: 3, with --quick 1")
+		.within(1, 1000);
+	line.addFlag("--list", o.list, "Tells the problems");
+	if (const std::optional<int> status = line.parse(argc, argv))
+		return *status;
 	if (o.list)
 	{
 		for (const ep::Problem& problem : ep::problems())

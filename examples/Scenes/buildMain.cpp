@@ -3,33 +3,31 @@
 
 // ep-build: makes a scene's file of a model whose pieces touch.
 
-#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "build/BondedScene.h"
+#include "cli/CommandLine.h"
 #include "simulation/Simulation.h"
 #include "text/OutputFiles.h"
 
 int main(int argc, char** argv)
 {
-	CLI::App app("Makes a scene of a glTF model: its pieces become bodies, joined where faces of them touch");
+	ep::CommandLine line("Makes a scene of a glTF model: its pieces become bodies, joined where faces of them touch");
 	std::string model, out = "scene.json";
 	ep::BondSettings settings;
-	app.add_option("model", model, "FILE.glb or FILE.gltf, each mesh a box or another convex piece")->required();
-	app.add_option("--out", out, "The scene's file that is written")->capture_default_str();
-	app.add_option("--material", settings.material,
-				   "Of pieces that name none by a custom property or their surface's name")
-		->capture_default_str();
-	app.add_option("--materials", settings.materials,
-				   "A scene's file with materials, which is included; else there is steel")
-		->check(CLI::ExistingFile);
-	app.add_option("--static", settings.fixed,
-				   "Name or pattern of pieces that do not move; also by their property motion");
-	app.add_option("--gap", settings.gap, "The largest that counts as touching, and how deep pieces may overlap [m]")
-		->check(CLI::Range(1e-6, 10.))
-		->capture_default_str();
-	app.add_flag("--ground", settings.ground, "There is one, at height 0");
-	CLI11_PARSE(app, argc, argv);
+	line.add("model", model, "FILE.glb or FILE.gltf, each mesh a box or another convex piece").required();
+	line.add("--out", out, "The scene's file that is written").showDefault();
+	line.add("--material", settings.material, "Of pieces that name none by a custom property or their surface's name")
+		.showDefault();
+	line.add("--materials", settings.materials, "A scene's file with materials, which is included; else there is steel")
+		.existingFile();
+	line.add("--static", settings.fixed, "Name or pattern of pieces that do not move; also by their property motion");
+	line.add("--gap", settings.gap, "The largest that counts as touching, and how deep pieces may overlap [m]")
+		.within(1e-6, 10)
+		.showDefault();
+	line.addFlag("--ground", settings.ground, "There is one, at height 0");
+	if (const std::optional<int> status = line.parse(argc, argv))
+		return *status;
 	try
 	{
 		const ep::BondedScene made = ep::bondPieces(ep::readModel(model), settings, out);

@@ -3,7 +3,6 @@
 
 // ep-run: computes a scene file, or many variants of it.
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include <memory>
 
 #include "cases/CaseRunner.h"
+#include "cli/CommandLine.h"
 #include "run/CaseTable.h"
 #include "run/RunFiles.h"
 #include "scenefile/SceneFile.h"
@@ -34,26 +34,22 @@ enum Status
 
 struct Options
 {
-	explicit Options(CLI::App& app)
+	explicit Options(ep::CommandLine& line)
 	{
-		app.add_option("scene", scene, "A scene's file (docs/scenes.md)");
-		app.add_option("--out", out, "Folder for what comes of it")->capture_default_str();
-		app.add_option("--set", settings, "path=value: a parameter, or a value in the file such as world.step=0.01");
-		app.add_flag("--check", isCheck, "Says whether the file is right, and ends");
-		app.add_flag("--print", isPrint, "Prints the file as plain JSON, with what it includes, and ends");
-		app.add_flag("--schema", isSchema, "Prints the JSON Schema of scene files, and ends");
-		app.add_option("--export", film, "Writes a film of it as glTF 2.0, for Blender and others: FILE.glb");
-		app.add_flag("--quiet", isQuiet, "No progress");
-		app.add_option("--sweep", sweeps,
-					   "path=from:to:count: cases with evenly spread values; several: all combinations");
-		app.add_option("--random", random, "How many cases are drawn by --vary")->check(CLI::Range(1, 1000000));
-		app.add_option("--vary", vary, "path=normal(mean,deviation), uniform(from,to) or lognormal(median,deviation)");
-		app.add_option("--seed", seed, "Of what is drawn")->capture_default_str();
-		app.add_option("--jobs", jobs, "Cases computed at the same time")
-			->check(CLI::Range(1, 1024))
-			->capture_default_str();
-		app.add_option("--shard", shard,
-					   "i/n: only every n-th case from the i-th; the same folder collects all shards");
+		line.add("scene", scene, "A scene's file (docs/scenes.md)");
+		line.add("--out", out, "Folder for what comes of it").showDefault();
+		line.add("--set", settings, "path=value: a parameter, or a value in the file such as world.step=0.01");
+		line.addFlag("--check", isCheck, "Says whether the file is right, and ends");
+		line.addFlag("--print", isPrint, "Prints the file as plain JSON, with what it includes, and ends");
+		line.addFlag("--schema", isSchema, "Prints the JSON Schema of scene files, and ends");
+		line.add("--export", film, "Writes a film of it as glTF 2.0, for Blender and others: FILE.glb");
+		line.addFlag("--quiet", isQuiet, "No progress");
+		line.add("--sweep", sweeps, "path=from:to:count: cases with evenly spread values; several: all combinations");
+		line.add("--random", random, "How many cases are drawn by --vary").within(1, 1000000);
+		line.add("--vary", vary, "path=normal(mean,deviation), uniform(from,to) or lognormal(median,deviation)");
+		line.add("--seed", seed, "Of what is drawn").showDefault();
+		line.add("--jobs", jobs, "Cases computed at the same time").within(1, 1024).showDefault();
+		line.add("--shard", shard, "i/n: only every n-th case from the i-th; the same folder collects all shards");
 	}
 
 	std::string scene, out = "run", shard, film;
@@ -232,9 +228,10 @@ int run(const Options& o, const char* self)
 
 int main(int argc, char** argv)
 {
-	CLI::App app("Computes a scene file, or many variants of it");
-	Options options(app);
-	CLI11_PARSE(app, argc, argv);
+	ep::CommandLine line("Computes a scene file, or many variants of it");
+	Options options(line);
+	if (const std::optional<int> status = line.parse(argc, argv))
+		return *status;
 	try
 	{
 		return run(options, argv[0]);

@@ -3,13 +3,11 @@
 
 // ep-view: all that there is to see in a window, or one of it.
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 
 #include "Browser.h"
-#include "cli/NamedOption.h"
-#include "cli/OptionRange.h"
+#include "cli/CommandLine.h"
 #include "cli/WindowOptions.h"
 #include "viewer/Viewer.h"
 
@@ -17,32 +15,32 @@ namespace
 {
 struct Options
 {
-	explicit Options(CLI::App& app)
+	explicit Options(ep::CommandLine& line)
 	{
 		const auto rate = [this](int perSecond) { method.stepping.step = 1. / perSecond; };
-		app.add_option("name", name, "What to open, as --list names it, or a scene's file; without it all is offered");
-		app.add_flag("--list", list, "Name all that there is, and end");
-		app.add_option("--make-pictures", pictures, "Draw pictures that the list lacks into this folder, and end");
-		app.add_option("--scenes", scenes, "Folder of scene files that are offered")->capture_default_str();
-		addNamedOption(app, "--solver", method.solver,
-					   "How it is solved; stock: scenes of destruction in Bullet's own way", ep::solvers());
-		addNamedOption(app, "--joint", method.joints, "What holds bodies together", ep::jointKinds());
-		app.add_option_function<int>("--rate", rate, "Steps per second of a problem; a trial has steps of its own")
-			->check(ep::optionRange<int>(1, 1000000))
-			->default_str("60");
+		line.add("name", name, "What to open, as --list names it, or a scene's file; without it all is offered");
+		line.addFlag("--list", list, "Name all that there is, and end");
+		line.add("--make-pictures", pictures, "Draw pictures that the list lacks into this folder, and end");
+		line.add("--scenes", scenes, "Folder of scene files that are offered").showDefault();
+		line.addNamed("--solver", method.solver, "How it is solved; stock: scenes of destruction in Bullet's own way",
+					  ep::solvers());
+		line.addNamed("--joint", method.joints, "What holds bodies together", ep::jointKinds());
+		line.addFunction<int>("--rate", rate, "Steps per second of a problem; a trial has steps of its own")
+			.within(1, 1000000)
+			.showDefault("60");
 		const auto substeps = [this](int count)
 		{
 			method.stepping.substeps = count;
 			method.stepping.error = 0;
 		};
-		CLI::Option* const error =
-			app.add_option("--error", method.stepping.error, "Substeps as this error asks for, 0.01 is 1 %; 0: none")
-				->check(ep::optionRange(0, 1))
-				->capture_default_str();
-		app.add_option_function<int>("--substeps", substeps, "Of each step, whatever error they leave")
-			->check(ep::optionRange<int>(1, 10000))
-			->excludes(error);
-		ep::addWindowOptions(app, window);
+		const ep::CommandOption error =
+			line.add("--error", method.stepping.error, "Substeps as this error asks for, 0.01 is 1 %; 0: none")
+				.within(0, 1)
+				.showDefault();
+		line.addFunction<int>("--substeps", substeps, "Of each step, whatever error they leave")
+			.within(1, 10000)
+			.excludes(error);
+		ep::addWindowOptions(line, window);
 	}
 
 	std::string name, pictures, scenes = EP_SCENES;
@@ -79,12 +77,13 @@ void run(const Options& o)
 
 int main(int argc, char** argv)
 {
-	CLI::App app(
+	ep::CommandLine line(
 		"Problems with known answers, scenes of destruction, scene files, hard cases, Demolisher and Charpy test in "
 		"a window. Problems, scenes of destruction and hard cases are computed first, then played again and again; "
 		"a scene's file is computed as it is looked at, and anew when it changes");
-	Options options(app);
-	CLI11_PARSE(app, argc, argv);
+	Options options(line);
+	if (const std::optional<int> status = line.parse(argc, argv))
+		return *status;
 	try
 	{
 		run(options);

@@ -236,6 +236,8 @@ TEST(EpBuild, RefusesWhatIsNoPieceAndNamesIt)
 	const std::string out = " --out " + folder.path() + "/scene.json";
 	expectParts(epBuild(good.write(folder) + out + " --material wood", 1),
 				{"bodies.good.material \"wood\" is not known; known are steel"});
+	expectParts(epBuild(good.write(folder) + out + " --gap nan", 105),
+				{"--gap", "'nan' is out of range; it must be from 1e-06 to 10"});
 	expectParts(epBuild(good.write(folder) + out + " --static god", 1),
 				{"--static is no piece", "did you mean \"good\""});
 	EXPECT_FALSE(std::filesystem::exists(folder.path() + "/scene.json"));

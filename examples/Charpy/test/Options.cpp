@@ -3,14 +3,13 @@
 
 #include "test/Options.h"
 
-#include "cli/NamedOption.h"
-#include "cli/OptionRange.h"
+#include "cli/CommandLine.h"
 #include "text/Format.h"
 
 namespace ep::charpy
 {
 template <class Value>
-void Options::addName(CLI::App& app, const char* name, const char* help, Value Settings::*field,
+void Options::addName(CommandLine& line, const char* name, const char* help, Value Settings::*field,
 					  const std::vector<Named<Value>>& names)
 {
 	const auto take = [this, field, &names](const std::string& text)
@@ -18,9 +17,7 @@ void Options::addName(CLI::App& app, const char* name, const char* help, Value S
 		if (const Value* value = findNamed(names, text))
 			m_given.push_back([field, value = *value](Settings& s) { s.*field = value; });
 	};
-	app.add_option_function<std::string>(name, take, help)
-		->check(CLI::IsMember(namesOf(names)))
-		->default_str(nameOf(names, Settings().*field));
+	line.addFunction<std::string>(name, take, help).oneOf(namesOf(names)).showDefault(nameOf(names, Settings().*field));
 }
 
 const std::vector<Named<Options::Preset>>& Options::presets()
@@ -30,23 +27,25 @@ const std::vector<Named<Options::Preset>>& Options::presets()
 	return all;
 }
 
-Options::Options(CLI::App& app)
+Options::Options(CommandLine& line)
 {
-	addNamedOption(
-		app, "--preset", m_preset,
+	line.addNamed(
+		"--preset", m_preset,
 		"What all other settings begin with: paper (its geometry, scheme, time stepping, and Bullet's defaults) "
 		"or repeatable, whose defaults are listed here",
 		presets());
-	addName(app, "--joint", "How the specimen holds together", &Settings::way, joints());
-	addName(app, "--geometry", "Of hammer and anvils", &Settings::geometry, geometries());
-	addName(app, "--solver", "Bullet's, or ours in one of its forms", &Settings::solver, solvers());
+	addName(line, "--joint", "How the specimen holds together", &Settings::way, joints());
+	addName(line, "--geometry", "Of hammer and anvils", &Settings::geometry, geometries());
+	addName(line, "--solver", "Bullet's, or ours in one of its forms", &Settings::solver, solvers());
 	for (const Number& n : numbers())
-		app.add_option_function<double>(
-			   std::string("--") + n.name,
-			   [this, &n](double value) { m_given.push_back([&n, value](Settings& s) { n.set(s, value); }); }, n.help)
-			->type_name(n.whole ? "INT" : "FLOAT")
-			->check(n.whole ? optionRange<int>(n.low, n.high) : optionRange(n.low, n.high))
-			->default_str(format("%g", n.of(Settings())));
+	{
+		const std::string name = std::string("--") + n.name;
+		const auto take = [this, &n](double value)
+		{ m_given.push_back([&n, value](Settings& s) { n.set(s, value); }); };
+		(n.whole ? line.addFunction<int>(name, take, n.help) : line.addFunction<double>(name, take, n.help))
+			.within(n.low, n.high)
+			.showDefault(format("%g", n.of(Settings())));
+	}
 }
 
 Settings Options::settings() const

@@ -4,10 +4,14 @@
 #ifndef EP_CHARPY_OPTIONS_H
 #define EP_CHARPY_OPTIONS_H
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "test/Settings.h"
+
+namespace ep
+{
+class CommandLine;
+}
 
 namespace ep::charpy
 {
@@ -15,14 +19,14 @@ namespace ep::charpy
 class Options
 {
 public:
-	explicit Options(CLI::App& app);
+	explicit Options(CommandLine& line);
 	Settings settings() const;
 
 private:
 	typedef Settings (*Preset)();
 	static const std::vector<Named<Preset>>& presets();
 	template <class Value>
-	void addName(CLI::App& app, const char* name, const char* help, Value Settings::*field,
+	void addName(CommandLine& line, const char* name, const char* help, Value Settings::*field,
 				 const std::vector<Named<Value>>& names);
 
 	Preset m_preset = presets().front().value;

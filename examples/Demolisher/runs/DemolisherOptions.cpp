@@ -3,8 +3,7 @@
 
 #include "runs/DemolisherOptions.h"
 
-#include "cli/NamedOption.h"
-#include "cli/OptionRange.h"
+#include "cli/CommandLine.h"
 #include "runs/RouteFile.h"
 
 namespace ep
@@ -12,9 +11,9 @@ namespace ep
 namespace
 {
 template <class Value>
-CLI::Option* number(CLI::App& app, const char* name, Value& value, const char* help, double low, double high)
+void number(CommandLine& line, const char* name, Value& value, const char* help, double low, double high)
 {
-	return app.add_option(name, value, help)->capture_default_str()->check(optionRange<Value>(low, high));
+	line.add(name, value, help).within(low, high).showDefault();
 }
 
 template <class Value>
@@ -41,38 +40,36 @@ const std::vector<Named<std::vector<Scene>>>& sceneChoices()
 }
 }  // namespace
 
-DemolisherOptions::DemolisherOptions(CLI::App& app)
+DemolisherOptions::DemolisherOptions(CommandLine& line)
 {
 	DemolisherSettings& s = m_settings;
-	app.add_option_function<std::vector<std::string>>(
-		   "--scene",
-		   [&s](const std::vector<std::string>& names)
-		   {
-			   s.scenes.clear();
-			   for (const std::string& name : names)
-				   for (const Scene scene : *findNamed(sceneChoices(), name))
-					   if (!s.has(scene))
-						   s.scenes.push_back(scene);
-		   },
-		   "What is built; several are given one after the other")
-		->default_str("all")
-		->check(CLI::IsMember(namesOf(sceneChoices())));
-	addNamedOption(app, "--joint", m_joints, "What holds the blocks together, see --list", jointKinds());
-	addNamedOption(app, "--solver", s.method.solver, "Bullet's, or ours in one of its forms", solvers());
-	app.add_option("--autopilot", m_route,
-				   "JSON file with the autopilot's route; otherwise it drives through all scenes");
-	number(app, "--speed", s.speed, "Speed of the autopilot on its own route, where the way is long enough to reach it [m/s]", 1, 26);
-	number(app, "--step", s.step, "Time step [s]", 1e-3, .1);
-	number(app, "--substeps", s.substeps, "Solver steps in each step", 1, 1000);
-	number(app, "--inner-error", s.innerError,
+	const auto build = [&s](const std::vector<std::string>& names)
+	{
+		s.scenes.clear();
+		for (const std::string& name : names)
+			for (const Scene scene : *findNamed(sceneChoices(), name))
+				if (!s.has(scene))
+					s.scenes.push_back(scene);
+	};
+	line.addFunction<std::vector<std::string>>("--scene", build, "What is built; several are given one after the other")
+		.oneOf(namesOf(sceneChoices()))
+		.showDefault("all");
+	line.addNamed("--joint", m_joints, "What holds the blocks together, see --list", jointKinds());
+	line.addNamed("--solver", s.method.solver, "Bullet's, or ours in one of its forms", solvers());
+	line.add("--autopilot", m_route, "JSON file with the autopilot's route; otherwise it drives through all scenes");
+	number(line, "--speed", s.speed,
+		   "Speed of the autopilot on its own route, where the way is long enough to reach it [m/s]", 1, 26);
+	number(line, "--step", s.step, "Time step [s]", 1e-3, .1);
+	number(line, "--substeps", s.substeps, "Solver steps in each step", 1, 1000);
+	number(line, "--inner-error", s.innerError,
 		   "Error at which the direct solver takes a blow through inner steps, 0.01 is 1 %; 0: never", 0, 1);
-	number(app, "--iterations", s.method.iterations, "Iterations in each substep, where the solver iterates", 1,
+	number(line, "--iterations", s.method.iterations, "Iterations in each substep, where the solver iterates", 1,
 		   100000);
-	number(app, "--steel-share", s.bridge.steelShare, "Share of steel in the bridge deck's section", .0001, 1);
-	number(app, "--fence-steel-share", s.fence.steelShare, "The same of the fence's posts", .0001, 1);
-	number(app, "--ductility", s.materials.ductility, "Plastic strain at which steel tears", 1e-4, 10);
-	number(app, "--vehicle-mass", s.vehicle.mass, "[kg]", 1000, 1e6);
-	app.add_flag("--two-supports", s.gate.twoSupports, "The gate's boom is held at both ends");
+	number(line, "--steel-share", s.bridge.steelShare, "Share of steel in the bridge deck's section", .0001, 1);
+	number(line, "--fence-steel-share", s.fence.steelShare, "The same of the fence's posts", .0001, 1);
+	number(line, "--ductility", s.materials.ductility, "Plastic strain at which steel tears", 1e-4, 10);
+	number(line, "--vehicle-mass", s.vehicle.mass, "[kg]", 1000, 1e6);
+	line.addFlag("--two-supports", s.gate.twoSupports, "The gate's boom is held at both ends");
 }
 
 DemolisherSettings DemolisherOptions::settings() const

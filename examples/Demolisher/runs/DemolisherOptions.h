@@ -4,17 +4,17 @@
 #ifndef EP_DEMOLISHER_OPTIONS_H
 #define EP_DEMOLISHER_OPTIONS_H
 
-#include <CLI/CLI.hpp>
-
 #include "simulation/DemolisherSettings.h"
 
 namespace ep
 {
+class CommandLine;
+
 /// The command line's settings.
 class DemolisherOptions
 {
 public:
-	explicit DemolisherOptions(CLI::App& app);
+	explicit DemolisherOptions(CommandLine& line);
 
 	/// Throws std::runtime_error if the autopilot's file is not as it should be.
 	DemolisherSettings settings() const;

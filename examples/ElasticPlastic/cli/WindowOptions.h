@@ -6,13 +6,10 @@
 
 #include <string>
 
-namespace CLI
-{
-class App;
-}
-
 namespace ep
 {
+class CommandLine;
+
 /// The camera that a window begins with.
 enum class WindowCamera
 {
@@ -41,7 +38,7 @@ struct WindowOptions
 };
 
 /// Adds all of them to a command line; what they are now are the defaults.
-void addWindowOptions(CLI::App& app, WindowOptions& options);
+void addWindowOptions(CommandLine& line, WindowOptions& options);
 }  // namespace ep
 
 #endif  // EP_WINDOW_OPTIONS_H

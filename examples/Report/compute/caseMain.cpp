@@ -4,10 +4,10 @@
 // ep-report-case: computes one case of the report and writes its records as JSON. The report starts it; the precision is
 // that of the Bullet it is linked with.
 
-#include <CLI/CLI.hpp>
 #include <fstream>
 #include <iostream>
 
+#include "cli/CommandLine.h"
 #include "collect/Case.h"
 #include "compute/Computation.h"
 #include "problems/Catalogue.h"
@@ -24,18 +24,15 @@ struct Options
 int main(int argc, char** argv)
 {
 	Options o;
-	CLI::App app("One case of the report, as JSON");
-	app.add_option("--problem", o.problem, "Name of the problem")->required();
-	app.add_option("--rate", o.settings.rate, "Steps per second")->check(CLI::Range(1, 1000000))->capture_default_str();
-	app.add_option("--substeps", o.settings.substeps, "Substeps of each step")
-		->check(CLI::Range(1, 10000))
-		->capture_default_str();
-	app.add_option("--repeats", o.settings.repeats, "Runs of which the median time counts")
-		->check(CLI::Range(1, 1000))
-		->capture_default_str();
-	app.add_flag("--quick", o.settings.quick, "Few methods");
-	app.add_option("--out", o.out, "File to write")->required();
-	CLI11_PARSE(app, argc, argv);
+	ep::CommandLine line("One case of the report, as JSON");
+	line.add("--problem", o.problem, "Name of the problem").required();
+	line.add("--rate", o.settings.rate, "Steps per second").within(1, 1000000).showDefault();
+	line.add("--substeps", o.settings.substeps, "Substeps of each step").within(1, 10000).showDefault();
+	line.add("--repeats", o.settings.repeats, "Runs of which the median time counts").within(1, 1000).showDefault();
+	line.addFlag("--quick", o.settings.quick, "Few methods");
+	line.add("--out", o.out, "File to write").required();
+	if (const std::optional<int> status = line.parse(argc, argv))
+		return *status;
 	const bool isStability = o.problem == ep::Case::STABILITY;
 	const ep::Problem* const problem = ep::findProblem(o.problem);
 	if (!problem && !isStability)

@@ -3,11 +3,11 @@
 
 // ep-gallery: pictures of scene files, and the page that shows them.
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
 
+#include "cli/CommandLine.h"
 #include "picture/Picture.h"
 #include "scenedrawing/SceneDrawing.h"
 #include "scenefile/SceneFile.h"
@@ -67,10 +67,11 @@ void make(const std::string& scenes, const std::string& docs)
 int main(int argc, char** argv)
 {
 	std::string scenes, docs;
-	CLI::App app("Pictures of scene files, and the page gallery.md that shows them");
-	app.add_option("scenes", scenes, "Folder of scene files")->required()->check(CLI::ExistingDirectory);
-	app.add_option("docs", docs, "Folder for the page, and gallery in it for pictures")->required();
-	CLI11_PARSE(app, argc, argv);
+	ep::CommandLine line("Pictures of scene files, and the page gallery.md that shows them");
+	line.add("scenes", scenes, "Folder of scene files").required().existingFolder();
+	line.add("docs", docs, "Folder for the page, and gallery in it for pictures").required();
+	if (const std::optional<int> status = line.parse(argc, argv))
+		return *status;
 	try
 	{
 		make(scenes, docs);
