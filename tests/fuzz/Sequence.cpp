@@ -29,12 +29,16 @@ struct Canvas : btIDebugDraw
 };
 }  // namespace
 
-Sequence::Sequence(unsigned seed, bool isHostile)
-	: m_chance(seed), m_isHostile(isHostile), m_form(m_chance.below(6)), m_arena(m_form == 1), m_twin(m_form == 1)
+Sequence::Sequence(unsigned seed, bool isHostile, bool isPool)
+	: m_chance(seed),
+	  m_isHostile(isHostile),
+	  m_form(m_chance.below(6)),
+	  m_arena(m_form == 1, isPool),
+	  m_twin(m_form == 1, isPool)
 {
 	if (m_form == 0)
 		for (Arena* arena : {&m_arena, &m_twin})
-			arena->m_direct.setForm(BT_EP_ITERATIVE);
+			arena->setForm(BT_EP_ITERATIVE);
 	// Other forms solve islands together.
 	m_hasTwin = m_form > 1;
 	setAction(std::make_unique<btElasticPlasticAction>());
@@ -464,12 +468,12 @@ void Sequence::stepControlled()
 	m_control.step(m_arena.m_world, *m_action, btScalar(1) / 60);
 }
 
-void Sequence::changeThreads() { m_arena.m_direct.setNumThreads(1 + m_chance.below(3)); }
+void Sequence::changeThreads() { m_arena.setNumThreads(1 + m_chance.below(3)); }
 
 /// The twin's quiet island has to be solved in the same way.
 void Sequence::changeSettings()
 {
-	btElasticPlasticSolverSettings settings = m_arena.m_direct.getSettings();
+	btElasticPlasticSolverSettings settings = m_arena.getSettings();
 	switch (m_chance.below(4))
 	{
 		case 0:
@@ -486,7 +490,7 @@ void Sequence::changeSettings()
 			settings.m_contacts = m_chance.oneIn(2) ? BT_EP_SWEPT_CONTACTS : BT_EP_EXACT_CONTACTS;
 	}
 	for (Arena* arena : {&m_arena, &m_twin})
-		if (!arena->m_direct.setSettings(settings))
+		if (!arena->setSettings(settings))
 			complain("settings are refused");
 }
 
@@ -711,7 +715,7 @@ void Sequence::badStep()
 
 void Sequence::badSettings()
 {
-	btElasticPlasticSolverSettings settings = m_arena.m_direct.getSettings();
+	btElasticPlasticSolverSettings settings = m_arena.getSettings();
 	const int threads[] = {0, -1, 65, 100000, 2147483647};
 	switch (m_chance.below(5))
 	{
@@ -730,7 +734,7 @@ void Sequence::badSettings()
 		default:
 			settings.m_iterationTolerance = double(-m_chance.power(1e-3, 1));
 	}
-	if (m_arena.m_direct.setSettings(settings))
+	if (m_arena.setSettings(settings))
 		complain("settings that make no sense are taken");
 }
 

@@ -9,29 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "BulletDynamics/ConstraintSolver/btElasticPlasticConstraintSolver.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
+#include "fuzz/Arena.h"
 #include "fuzz/Chance.h"
-#include "fuzz/Quiet.h"
-#include "world/SmallPools.h"
-
-/// A world with a quiet island in it.
-struct Arena
-{
-	btDefaultCollisionConfiguration m_configuration{ep::smallPools()};
-	btCollisionDispatcher m_dispatcher{&m_configuration};
-	btDbvtBroadphase m_broadphase;
-	btElasticPlasticConstraintSolver m_direct;
-	btSequentialImpulseConstraintSolver m_stock;
-	btDiscreteDynamicsWorld m_world;
-	Quiet m_quiet;
-
-	explicit Arena(bool isStock)
-		: m_world(&m_dispatcher, &m_broadphase, isStock ? &m_stock : &m_direct, &m_configuration), m_quiet(m_world)
-	{
-		m_world.setGravity(btVector3(0, -10, 0));
-	}
-};
 
 /// Calls in random order to a world, its bodies, joints, action and solver, and what must be true after each of them. A legal
 /// sequence does what a game may do; a hostile one also passes what makes no sense. Beside it stands a twin: the same world without
@@ -39,7 +19,8 @@ struct Arena
 class Sequence : btElasticPlasticListener
 {
 public:
-	Sequence(unsigned seed, bool isHostile);
+	/// \param isPool  in a world of Bullet's with threads
+	Sequence(unsigned seed, bool isHostile, bool isPool);
 	~Sequence() override;
 
 	/// \return what is wrong; empty if nothing is

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 // SPDX-License-Identifier: Zlib
 
-// Random sequences of calls: fuzz [--first SEED] [--sequences N | --seconds T] [--fresh] [--legal | --hostile]
+// Random sequences of calls: fuzz [--first SEED] [--sequences N | --seconds T] [--fresh] [--legal | --hostile] [--pool]
 // Ends with 1 if one has gone wrong, and tells how to see it again. Meant to be built with sanitizers.
 
 #include <chrono>
@@ -11,6 +11,7 @@
 
 #include <string>
 
+#include "LinearMath/btThreads.h"
 #include "fuzz/Sequence.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -31,15 +32,15 @@ struct Options
 	unsigned first = 1;
 	long sequences = -1;
 	double seconds = -1;
-	bool isLegal = true, isHostile = true;
+	bool isLegal = true, isHostile = true, isPool = false;
 };
 
 unsigned s_seed = 0;
-const char* s_mode = "";
+std::string s_mode;
 
 void tellSeed()
 {
-	printf("FAILED: fuzz --first %u --sequences 1 %s\n", s_seed, s_mode);
+	printf("FAILED: fuzz --first %u --sequences 1 %s\n", s_seed, s_mode.c_str());
 	fflush(stdout);
 }
 
@@ -47,7 +48,7 @@ void tellSeed()
 {
 	printf(
 		"fuzz: %s. Options: --first SEED, --sequences N, --seconds T, --fresh (seeds by the clock), --legal, "
-		"--hostile\n",
+		"--hostile, --pool (worlds of Bullet's with threads)\n",
 		what);
 	exit(2);
 }
@@ -78,6 +79,8 @@ Options read(int argc, char** argv)
 			o.isHostile = false;
 		else if (!strcmp(argv[i], "--hostile"))
 			o.isLegal = false;
+		else if (!strcmp(argv[i], "--pool"))
+			o.isPool = true;
 		else
 			refuse((std::string("unknown option ") + argv[i]).c_str());
 	if (o.sequences < 0 && o.seconds < 0)
@@ -98,6 +101,12 @@ int main(int argc, char** argv)
 #endif
 	printf("Seeds from %u\n", o.first);
 	fflush(stdout);
+	if (o.isPool)
+	{
+		// Null where Bullet is built without threads.
+		btITaskScheduler* const scheduler = btCreateDefaultTaskScheduler();
+		btSetTaskScheduler(scheduler ? scheduler : btGetSequentialTaskScheduler());
+	}
 	const auto begin = std::chrono::steady_clock::now();
 	long done = 0;
 	const auto goesOn = [&]
@@ -111,8 +120,8 @@ int main(int argc, char** argv)
 		{
 			if (isHostile ? !o.isHostile : !o.isLegal)
 				continue;
-			s_mode = isHostile ? "--hostile" : "--legal";
-			const std::string complaint = Sequence(s_seed, isHostile).run();
+			s_mode = (isHostile ? "--hostile" : "--legal") + std::string(o.isPool ? " --pool" : "");
+			const std::string complaint = Sequence(s_seed, isHostile, o.isPool).run();
 			if (complaint.empty())
 				continue;
 			printf("%s\n", complaint.c_str());
