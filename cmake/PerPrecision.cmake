@@ -6,7 +6,7 @@
 #
 #   ep_add_library(<name> SOURCES ... [INCLUDE <directory>...] [LINK <target>...] [ANY_PRECISION])
 #   ep_add_executable(<name> SOURCES ... [LINK <target>...] [ONE_PRECISION])
-#   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS] [ONE_PRECISION] [COST <ctest's>])
+#   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS] [ONE_PRECISION] [PROPERTIES <ctest's>...])
 #                                                         GoogleTest; targets <name>-float and <name>-double, tests <suite>.float, ...
 #   ep_add_window_test(<name> COMMAND ...)                what opens a window, run on a virtual display
 #
@@ -117,13 +117,10 @@ function(ep_add_suites program suffix)
 endfunction()
 
 function(ep_add_test name)
-	cmake_parse_arguments(PARSE_ARGV 1 arg "DRAWS;ONE_PRECISION" "COST" "SOURCES;LINK")
-	set(properties "")
+	cmake_parse_arguments(PARSE_ARGV 1 arg "DRAWS;ONE_PRECISION" "" "SOURCES;LINK;PROPERTIES")
+	set(properties ${arg_PROPERTIES})
 	if(arg_DRAWS)
-		set(properties ${EP_OF_DRAWING_TESTS})
-	endif()
-	if(arg_COST)
-		list(APPEND properties COST ${arg_COST})
+		list(APPEND properties ${EP_OF_DRAWING_TESTS})
 	endif()
 	if(NOT arg_SOURCES)
 		message(STATUS "${name}: no sources, left out")
@@ -140,6 +137,7 @@ function(ep_add_test name)
 		set_target_properties(${target} PROPERTIES UNITY_BUILD "${CMAKE_UNITY_BUILD}")
 		target_precompile_headers(${target} REUSE_FROM ElasticPlasticTestHeaders${EP_SUFFIX_${precision}})
 		ep_add_suites(${target} .${precision} ${properties})
+		add_dependencies(ep-tests ${target})
 	endforeach()
 endfunction()
 
