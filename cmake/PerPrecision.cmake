@@ -7,7 +7,8 @@
 #   ep_add_library(<name> SOURCES ... [INCLUDE <directory>...] [LINK <target>...] [ANY_PRECISION])
 #   ep_add_executable(<name> SOURCES ... [LINK <target>...] [ONE_PRECISION])
 #   ep_add_test(<name> SOURCES ... [LINK <target>...] [DRAWS] [ONE_PRECISION] [PROPERTIES <ctest's>...])
-#                                                         GoogleTest; targets <name>-float and <name>-double, tests <suite>.float, ...
+#                                                         GoogleTest; targets <name>-float and <name>-double, which ep-tests builds, too,
+#                                                         tests <suite>.float, ...
 #   ep_add_window_test(<name> COMMAND ...)                what opens a window, run on a virtual display
 #
 # ONE_PRECISION makes one target alone: in float, as a game would, where there is a choice. A program's is <name>.

@@ -7,7 +7,7 @@
 get_property(others DIRECTORY PROPERTY TESTS)
 set(EP_LABEL PROPERTIES LABELS long)  # of suites, which ctest finds by itself
 
-# ---- random sequences of calls
+# ---- the library: random sequences of calls, long times
 # Fresh seeds find what nobody has seen: they are for those who look for it, and not for a change that has to pass.
 set(BULLET_EP_FUZZ_SECONDS 0 CACHE STRING "How long fresh seeds are tried [s], 0: not at all")
 foreach(precision IN LISTS EP_PRECISIONS)
@@ -17,6 +17,8 @@ foreach(precision IN LISTS EP_PRECISIONS)
 		add_test(NAME Fuzz.freshSeeds.${precision} COMMAND fuzz${EP_SUFFIX_${precision}} --fresh --seconds ${BULLET_EP_FUZZ_SECONDS})
 		set_tests_properties(Fuzz.freshSeeds.${precision} PROPERTIES TIMEOUT 86400)
 	endif()
+	add_test(NAME HardTrials.anHour.${precision} COMMAND tests-${precision} --gtest_filter=*/HardTrials.DirectSolverIsRight/*an_hour*)
+	set_tests_properties(HardTrials.anHour.${precision} PROPERTIES ENVIRONMENT EP_LONG_TESTS=1 FAIL_REGULAR_EXPRESSION "Running 0 tests|SKIPPED")
 	# Soak: create, break, repair and delete, over and over.
 	add_test(NAME Soak.long.${precision} COMMAND tests-${precision} --gtest_filter=Soak.*)
 	set_tests_properties(Soak.long.${precision} PROPERTIES ENVIRONMENT EP_SOAK_CYCLES=100000 TIMEOUT 3600)

@@ -19,7 +19,7 @@ class HardTrials : public testing::TestWithParam<Trial>
 
 TEST_P(HardTrials, DirectSolverIsRight)
 {
-	// An hour takes as long as forty of the others.
+	// An hour takes two fifths of the time of all: see Long.cmake.
 	if (GetParam().name == std::string("an hour at 0.9 of yield") && !repeats(1, 0))
 		GTEST_SKIP() << "takes long: with EP_LONG_TESTS only";
 	for (const JointClass jointClass : {JointClass::Spring2, JointClass::Spring})
