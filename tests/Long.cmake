@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
 # SPDX-License-Identifier: Zlib
 
-# Tests that take long and that few changes touch: other builds of the library, the Python package, Charpy test and report, a window that is used, random
-# calls, soak. They have the label long; run-tests leaves them out unless it is asked for all.
+# Tests that take long and that few changes touch: other builds of the library, the Python package, the examples' programs and their windows, random calls,
+# soak. They have the label long; run-tests leaves them out unless it is asked for all.
 
 get_property(others DIRECTORY PROPERTY TESTS)
 set(EP_LABEL PROPERTIES LABELS long)  # of suites, which ctest finds by itself
@@ -90,6 +90,40 @@ if(TARGET ElasticPlasticCharpy OR TARGET ElasticPlasticCharpy-float64)
 	file(GLOB sources CONFIGURE_DEPENDS programs/testCharpy*.cpp)
 	ep_add_test(tests-charpy SOURCES ${sources} LINK ElasticPlasticCharpy nlohmann_json::nlohmann_json ${EP_LABEL})
 	ep_add_picture_test(Charpy.window charpy 2 0)
+endif()
+if(TARGET charpy)
+	add_test(NAME Charpy.headless
+		COMMAND charpy --headless --dt 0.1 --joint ep2 --friction 0.1 --out ${CMAKE_CURRENT_BINARY_DIR}/charpy)
+	set_tests_properties(Charpy.headless PROPERTIES PASS_REGULAR_EXPRESSION "passed: loss 14[0-9]")
+	add_test(NAME Charpy.tableXI COMMAND charpy --study table-xi --out ${CMAKE_CURRENT_BINARY_DIR}/charpy)
+	# Bad input is named, with what would be good.
+	add_test(NAME Charpy.unknownJoint COMMAND charpy --joint glue --out ${CMAKE_CURRENT_BINARY_DIR}/charpy)
+	set_tests_properties(Charpy.unknownJoint PROPERTIES PASS_REGULAR_EXPRESSION "--joint.*glue.*ep2")
+	add_test(NAME Charpy.notANumber COMMAND charpy --friction nan --out ${CMAKE_CURRENT_BINARY_DIR}/charpy)
+	set_tests_properties(Charpy.notANumber PROPERTIES PASS_REGULAR_EXPRESSION "--friction.*nan.*0 to 2")
+	add_test(NAME Charpy.negative COMMAND charpy --dt -1 --out ${CMAKE_CURRENT_BINARY_DIR}/charpy)
+	set_tests_properties(Charpy.negative PROPERTIES PASS_REGULAR_EXPRESSION "--dt.*-1.*0.0001 to 5")
+	add_test(NAME Charpy.unwritable COMMAND charpy --out /dev/null/x)
+	set_tests_properties(Charpy.unwritable PROPERTIES PASS_REGULAR_EXPRESSION "cannot make the directory '/dev/null/x' \\(--out\\)")
+endif()
+
+if(TARGET demolisher)
+	file(GLOB sources CONFIGURE_DEPENDS programs/testDemolisher*.cpp)
+	ep_add_test(tests-demolisher SOURCES ${sources} LINK ElasticPlasticDemolisher nlohmann_json::nlohmann_json ONE_PRECISION
+		${EP_LABEL} COST ${EP_LONG})
+endif()
+
+if(TARGET ep-view)
+	ep_add_picture_test(Problem.window ep-view 1 0 dropped-mass --rate 240)
+	ep_add_picture_test(Trial.window ep-view 0.1 0 "'all at once/all yield'")
+	if(EP_WITH_SCENE_FILES)
+		ep_add_picture_test(SceneFile.window ep-view 1 0 ${PROJECT_SOURCE_DIR}/examples/scenes/column-loss.json)
+	endif()
+	ep_add_picture_test(Destruction.window ep-view 2 0 weak-frame)
+	add_test(NAME Trial.list COMMAND ep-view --list)
+	set_tests_properties(Trial.list PROPERTIES PASS_REGULAR_EXPRESSION "dropped-mass.*wall-hit.*all at once/all yield")
+	add_test(NAME Trial.unknown COMMAND ep-view nothing)
+	set_tests_properties(Trial.unknown PROPERTIES PASS_REGULAR_EXPRESSION "no problem, scene or trial 'nothing'.*--list")
 endif()
 
 if(TARGET ElasticPlasticSamples OR TARGET ElasticPlasticSamples-float64)

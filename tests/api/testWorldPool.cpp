@@ -172,6 +172,24 @@ TEST(WorldPool, TakesNoInnerSteps)
 	EXPECT_GT(static_cast<btElasticPlasticConstraintSolver&>(*discrete.m_solver).getStatistics().m_innerSteps, 0);
 }
 
+TEST(WorldPool, ASolverOfAnotherWorldBecomesOneOfThePool)
+{
+	btElasticPlasticConstraintSolver* moved = nullptr;
+	{
+		Site discrete(Kind::Discrete);
+		build(discrete);
+		discrete.run(30);
+		moved = static_cast<btElasticPlasticConstraintSolver*>(discrete.m_solver.release());
+	}
+	moved->resetStatistics();
+	btConstraintSolver* solvers[] = {moved, new btElasticPlasticConstraintSolver};
+	Site some(std::unique_ptr<btConstraintSolverPoolMt>(new ChancePool(solvers, 2))), one(Site::makePool(1));
+	EXPECT_EQ(placesAfter(one, 60), placesAfter(some, 60));
+	EXPECT_EQ(0, moved->getStatistics().m_innerSteps);
+	EXPECT_EQ(0, moved->getStatistics().m_iterations) << "a factor was kept";
+	EXPECT_GT(moved->getStatistics().m_solutions, 0) << "it had nothing to do";
+}
+
 TEST(WorldPool, AgesItsPlans) { EXPECT_GT(countAnalyses(30), countAnalyses(5)); }
 
 #if BT_THREADSAFE

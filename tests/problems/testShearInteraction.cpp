@@ -307,12 +307,12 @@ void expectRight(const Shape& shape, int directions)
 
 TEST(ShearInteraction, IsRightInAllDirectionsOfAllSixForces)
 {
-	int directions = repeats(2000, 100);
+	int directions = repeats(2000, 50);
 	for (const Shape& shape : shapes())
 	{
 		// Of other sizes of the same.
 		if (std::string(shape.m_name) == "square")
-			directions = repeats(300, 30);
+			directions = repeats(300, 15);
 		expectRight(shape, directions);
 	}
 }
@@ -350,7 +350,7 @@ TEST(ShearInteraction, IsRightInSectionsThatAreNotSymmetric)
 		}
 		std::mt19937 random(1);
 		double least = 2, most = 0;
-		for (int i = 0; i < repeats(2000, 100); ++i)
+		for (int i = 0; i < repeats(2000, 50); ++i)
 		{
 			Loaded loaded(capacity);
 			const double share = shareBorne(loaded, scaledToSurface(exact, alone, anyDirection(random)));
@@ -429,7 +429,7 @@ TEST(ShearInteraction, IsRightOfConcreteWithBars)
 			section.addBar(btScalar(bar.y), btScalar(bar.z), btScalar(area), steel);
 		}
 		const std::pair<double, double> shares =
-			sharesBorne(exact, capacityOf(section, inPrecision(100, 10), tension), repeats(2000, 40));
+			sharesBorne(exact, capacityOf(section, inPrecision(100, 10), tension), repeats(2000, 20));
 		// The same bound, kept in 2000 directions. 0.945 to 1.065 measured in 80.
 		EXPECT_GT(shares.first, 1 - 0.08) << places.size();
 		EXPECT_LT(shares.second, 1 + 0.08) << places.size();
@@ -449,7 +449,7 @@ TEST(ShearInteraction, IsRightWhereStrengthsAreUnequal)
 			shape.m_exact.m_tension = tension;
 			const std::pair<double, double> shares =
 				sharesBorne(shape.m_exact, capacityOf(shape.m_section, inPrecision(100, 10), tension),
-							repeats(2000, tension < 0.2 ? 10 : 30));
+							repeats(2000, tension < 0.2 ? 5 : 15));
 			// The bound that such sections are asked to keep. 0.945 to 1.065 measured in 2000 directions with 0.3 and 0.6.
 			EXPECT_GT(shares.first, 1 - 0.08) << shape.m_name << ", " << tension;
 			EXPECT_LT(shares.second, 1 + 0.08) << shape.m_name << ", " << tension;
@@ -579,12 +579,14 @@ public:
 
 TEST(ShearInteraction, OfUnequalStrengthsMakesNoEnergyAndIsFoundInFewSteps)
 {
+	unsigned seed = 0;  // goes on from shape to shape, so that all step lengths are tried
 	for (const double tension : WEAKER)
+	{
+		btElasticPlasticStatistics statistics;
 		for (const Shape& shape : shapes())
 		{
 			double slipped = 0, plastic = 0;
-			btElasticPlasticStatistics statistics;
-			for (unsigned seed = 0; seed < unsigned(repeats(10, 4)); ++seed)
+			for (int trial = 0; trial < repeats(10, 2); ++trial, ++seed)
 			{
 				StruckRow row(capacityOf(shape.m_section, 1, tension), seed);
 				EnergyAudit audit(row.m_world);
@@ -611,11 +613,12 @@ TEST(ShearInteraction, OfUnequalStrengthsMakesNoEnergyAndIsFoundInFewSteps)
 				}
 			}
 			EXPECT_GT(slipped, 0.3 * plastic) << shape.m_name << ", " << tension;
-			EXPECT_EQ(0, statistics.m_cutSearches) << shape.m_name << ", " << tension;
-			EXPECT_EQ(0, statistics.m_notFinite) << shape.m_name << ", " << tension;
-			// 0.04 to 0.45 measured beyond the first linear solution, 0.04 to 0.19 of equal strengths.
-			EXPECT_LT(statistics.m_newtonSteps, 0.7 * double(statistics.m_islands)) << shape.m_name << ", " << tension;
 		}
+		EXPECT_EQ(0, statistics.m_cutSearches) << tension;
+		EXPECT_EQ(0, statistics.m_notFinite) << tension;
+		// 0.10 to 0.28 measured beyond the first linear solution, 0.04 to 0.19 of sections of equal strengths.
+		EXPECT_LT(statistics.m_newtonSteps, 0.5 * double(statistics.m_islands)) << tension;
+	}
 }
 
 TEST(ShearInteraction, PressureAddsNothingToWhatHasNextToNoTension)

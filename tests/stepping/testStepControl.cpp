@@ -15,6 +15,7 @@
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticStepControl.h"
 #include "BulletDynamics/ConstraintSolver/btHingeConstraint.h"
 #include "scenes/Cantilever.h"
+#include "support/DirectSolver.h"
 #include "support/Precision.h"
 #include "problems/Catalogue.h"
 #include "world/EvenCapacity.h"
@@ -610,6 +611,33 @@ TEST(StepControl, SeesAKinematicRamComeToABodyThatIsJoined)
 	}
 	// A twentieth of the edge in each: 1/6 m takes four, as powers of two go.
 	EXPECT_GE(substeps, 4);
+}
+
+TEST(StepControl, RulesTheJointsOfAllActions)
+{
+	// No inner steps in the control's: the joint that flows is another action's than the one that is controlled.
+	World world(Solver::Direct, btVector3(0, 0, 0));
+	btElasticPlasticAction other;
+	world.bullet().addAction(&other);
+	btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+	btElasticPlasticCapacity capacity = evenCapacity(1e8);
+	capacity.set(BT_EP_AXIAL, 1e6, 1e4);
+	btElasticPlasticJoint* joint = nullptr;
+	for (int i = 0; i < 2; ++i)
+	{
+		btRigidBody* const support = world.body(0, cube, at(3, 5 * i), false);
+		btRigidBody* const block = world.body(1000, cube, at(0, 5 * i), false);
+		joint = world.joint(*block, *support, at(btScalar(1.5), 5 * i), capacity);
+		block->setLinearVelocity(btVector3(btScalar(i), 0, 0));
+	}
+	world.action().removeJoint(joint);
+	EXPECT_TRUE(other.addJoint(joint));
+	btElasticPlasticStepControl control(0.01);
+	for (int i = 0; i < 10; ++i)
+		control.step(world.bullet(), world.action(), FRAME);
+	EXPECT_GT(joint->getPlasticPath(BT_EP_AXIAL), 0);
+	EXPECT_EQ(0, statisticsOf(world).m_innerSteps);
+	world.bullet().removeAction(&other);
 }
 
 TEST(StepControl, DrivesCoarselyWhereOnlyBulletsJointsAre)

@@ -15,6 +15,12 @@ void btElasticPlasticConstraintSolver::prepareSolve(int numBodies, int numManifo
 	btSequentialImpulseConstraintSolver::prepareSolve(numBodies, numManifolds);
 }
 
+void btElasticPlasticConstraintSolver::allSolved(const btContactSolverInfo& info, btIDebugDraw* debugDrawer)
+{
+	m_works->endStep();
+	btSequentialImpulseConstraintSolver::allSolved(info, debugDrawer);
+}
+
 btScalar btElasticPlasticConstraintSolver::solveGroup(btCollisionObject** bodies, int numBodies,
 													  btPersistentManifold** manifolds, int numManifolds,
 													  btTypedConstraint** constraints, int numConstraints,

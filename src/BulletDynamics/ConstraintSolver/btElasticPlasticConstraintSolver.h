@@ -24,6 +24,7 @@ public:
 	~btElasticPlasticConstraintSolver() override;
 
 	void prepareSolve(int numBodies, int numManifolds) override;
+	void allSolved(const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
 	btScalar solveGroup(btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
 						btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info,
 						btIDebugDraw* debugDrawer, btDispatcher* dispatcher) override;

@@ -23,6 +23,12 @@ void btElasticPlasticMultiBodyConstraintSolver::prepareSolve(int numBodies, int 
 	btMultiBodyConstraintSolver::prepareSolve(numBodies, numManifolds);
 }
 
+void btElasticPlasticMultiBodyConstraintSolver::allSolved(const btContactSolverInfo& info, btIDebugDraw* debugDrawer)
+{
+	m_works->endStep();
+	btMultiBodyConstraintSolver::allSolved(info, debugDrawer);
+}
+
 void btElasticPlasticMultiBodyConstraintSolver::solveMultiBodyGroup(
 	btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds, int numManifolds,
 	btTypedConstraint** constraints, int numConstraints, btMultiBodyConstraint** multiBodyConstraints,

@@ -28,6 +28,7 @@ public:
 	~btElasticPlasticMultiBodyConstraintSolver() override;
 
 	void prepareSolve(int numBodies, int numManifolds) override;
+	void allSolved(const btContactSolverInfo& info, btIDebugDraw* debugDrawer) override;
 	void solveMultiBodyGroup(btCollisionObject** bodies, int numBodies, btPersistentManifold** manifolds,
 							 int numManifolds, btTypedConstraint** constraints, int numConstraints,
 							 btMultiBodyConstraint** multiBodyConstraints, int numMultiBodyConstraints,

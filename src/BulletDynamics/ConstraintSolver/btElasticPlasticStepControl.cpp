@@ -30,15 +30,20 @@ const double SEARCH_SHARE = 1. / 4;
 /// The most that a joined body may turn in a substep [rad].
 const double MOST_TURN = 1;
 
-/// Tells joints that the coming substep is as short as they need, so that the solver takes no inner steps.
+/// Tells joints, of whatever action, that the coming substep is as short as they need, so that the solver takes no inner steps.
 /// \param share  of the step
 void tellJoints(btDynamicsWorld& world, btScalar share)
 {
+	JointRegistry* told = nullptr;
 	for (int i = 0; i < world.getNumConstraints(); ++i)
 	{
 		const JointWorks* const joint = JointWorks::from(world.getConstraint(i));
-		if (joint && joint->m_entry.m_registry)
-			return joint->m_entry.m_registry->setStepControlled(share);
+		JointRegistry* const registry = joint ? joint->m_entry.m_registry : nullptr;
+		if (registry && registry != told)
+		{
+			registry->setStepControlled(share);
+			told = registry;
+		}
 	}
 }
 }  // namespace

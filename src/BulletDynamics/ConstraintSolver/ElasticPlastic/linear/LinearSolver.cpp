@@ -68,7 +68,7 @@ void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islan
 		++m_statistics.m_analyses;
 	}
 	// What is kept of an island that has slept is not used: whether its plan is still there depends on other islands.
-	const bool isFresh = islandId < 0 || m_plan->m_lastUse + 1 < m_step;
+	const bool isFresh = m_isOneOfMany || islandId < 0 || m_plan->m_lastUse + 1 < m_step;
 	m_factorState = !isFresh && isWorthKeeping(m_plan->m_factor, numSolutions) ? OLD : NONE;
 	if (isFresh)
 		m_plan->m_patience = m_plan->m_numUses = 0;

@@ -80,6 +80,12 @@ void IslandSolver::setSettings(const btElasticPlasticSolverSettings& settings)
 	m_direct.getSystem().setSettings(settings);
 }
 
+void IslandSolver::beginStep(bool isOneOfMany)
+{
+	m_isOneOfMany = isOneOfMany;
+	m_direct.getSystem().beginStep(isOneOfMany);
+}
+
 void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
 						 btDispatcher* dispatcher)
 {
@@ -90,7 +96,12 @@ void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& i
 	giveWokenTheirWeight(island.m_bodies, island.m_numBodies);
 	const FrozenBodies frozen(island.m_bodies, island.m_numBodies);
 	if (m_settings.m_form == BT_EP_DIRECT)
-		m_inner.solve(island, info, m_settings, m_statistics, *this);
+	{
+		btElasticPlasticSolverSettings settings = m_settings;
+		if (m_isOneOfMany)
+			settings.m_maxInnerSteps = 0;
+		m_inner.solve(island, info, settings, m_statistics, *this);
+	}
 	else
 		solveStep(info, 1, 0);
 }

@@ -50,11 +50,7 @@ bool isForAnyThread(const SolverGroup& island)
 }
 }  // namespace
 
-SolverWorks::SolverWorks()
-{
-	m_solvers.emplace_back(new IslandSolver);
-	setSolverSettings();
-}
+SolverWorks::SolverWorks() { m_solvers.emplace_back(new IslandSolver); }
 
 void SolverWorks::setSettings(const btElasticPlasticSolverSettings& settings)
 {
@@ -68,15 +64,6 @@ void SolverWorks::setSettings(const btElasticPlasticSolverSettings& settings)
 				solver.reset(new IslandSolver);
 	}
 	m_settings = settings;
-	setSolverSettings();
-}
-
-void SolverWorks::setSolverSettings()
-{
-	btElasticPlasticSolverSettings settings = m_settings;
-	// Inner steps, and what is solved again, move bodies on which islands of other threads may stand, and early contacts use what they share.
-	if (m_isInPool)
-		settings.m_maxInnerSteps = 0;
 	for (const auto& solver : m_solvers)
 		solver->setSettings(settings);
 }
@@ -92,13 +79,16 @@ void SolverWorks::takeRowSolvers(btSequentialImpulseConstraintSolver& from)
 
 void SolverWorks::beginStep()
 {
-	if (m_isInPool)
-	{
-		m_isInPool = false;
-		setSolverSettings();
-	}
+	m_isInPool = false;
 	for (const auto& solver : m_solvers)
 		solver->beginStep(false);
+}
+
+void SolverWorks::endStep()
+{
+	m_isInPool = true;
+	for (const auto& solver : m_solvers)
+		solver->endStep();
 }
 
 /// The action of the first joint that has one.

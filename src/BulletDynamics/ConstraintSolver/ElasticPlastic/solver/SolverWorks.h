@@ -28,9 +28,10 @@ public:
 	/// Makes the island solvers iterate with the same row functions as the user's solver.
 	void takeRowSolvers(btSequentialImpulseConstraintSolver& from);
 
-	/// The world begins a step. A solver that it never tells so is one of a pool, as in btConstraintSolverPoolMt: any of the pool's
-	/// solvers gets an island in the next step, at the same time as others get others.
+	/// The world begins and ends a step. A solver that it does not tell so is one of a pool, as in btConstraintSolverPoolMt: any of the
+	/// pool's solvers gets an island in the next step, at the same time as others get others.
 	void beginStep();
+	void endStep();
 
 	/// Of the step of a control that has chosen the present substep's length, the share that it is; 1: there is none.
 	btScalar getSubstepShare() const { return m_substepShare ? *m_substepShare : btScalar(1); }
@@ -59,7 +60,6 @@ private:
 	void beginStepInPool();
 	bool isStepControlled() const;
 	void splitFound(const SolverGroup& group);
-	void setSolverSettings();
 	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
 
 	btElasticPlasticSolverSettings m_settings;
