@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/section/Slips.h"
 #include "support/Close.h"
 #include "support/DirectSolver.h"
 #include "support/SectionSurface.h"
@@ -135,6 +136,44 @@ SectionSurface openWalls(const btElasticPlasticSection& section)
 	return all;
 }
 
+/// A polygon in 1000 points and more, twisted as it is elastically, with a warping by y z beside. Points of walls are sheared along these, unless they slip
+/// elastically by more than 0.4 across, as at corners.
+SectionSurface finePolygon(const btElasticPlasticSection& section, bool hasWalls)
+{
+	const btElasticPlastic::Region region = btElasticPlastic::regionOf(section);
+	std::vector<btElasticPlastic::Region> pieces;
+	region.cut(region.moments().m_area / 250, pieces);
+	std::vector<btElasticPlastic::SectionPoint> points;
+	for (const btElasticPlastic::Region& piece : pieces)
+		btElasticPlastic::addPointsOf(piece.moments(), points);
+	const std::vector<btElasticPlastic::Slips> slips = btElasticPlastic::slipsOf(points);
+	SectionSurface s;
+	for (size_t i = 0; i < points.size(); ++i)
+	{
+		const btElasticPlastic::SectionPoint& p = points[i];
+		const btElasticPlastic::Region::Point &a = slips[i].m_alongY, &b = slips[i].m_alongZ, &twist = slips[i].m_twist;
+		ShearCell cell = {p.m_y, p.m_z, p.m_area, {{1, 0, twist.m_y}, {0, 1, twist.m_z}}, {-p.m_z, -p.m_y}};
+		const double yy = a.m_y * a.m_y + b.m_y * b.m_y, zz = a.m_z * a.m_z + b.m_z * b.m_z,
+					 yz = a.m_y * a.m_z + b.m_y * b.m_z, half = std::hypot((yy - zz) / 2, yz),
+					 turn = std::atan2(yz, (yy - zz) / 2) / 2, along[2] = {std::cos(turn), std::sin(turn)};
+		if (hasWalls && (yy + zz) / 2 - half < 0.4 * 0.4 * ((yy + zz) / 2 + half))
+			cell = {
+				p.m_y, p.m_z, p.m_area, {{along[0], along[1], along[0] * twist.m_y + along[1] * twist.m_z}, {}}, {}};
+		s.m_warped.push_back(cell);
+		for (double& w : cell.warping)
+			w = 0;
+		s.m_cells.push_back(cell);
+	}
+	return s;
+}
+
+struct Shape
+{
+	const char* m_name;
+	SectionSurface m_exact;
+	btElasticPlasticSection m_section;
+};
+
 // ---- the library's
 
 /// A body that is light beside the stiffness of its springs, but not beside its loads, which float would round, in the middle of its joint with the ground, under forces that grow.
@@ -184,13 +223,6 @@ public:
 	double m_tension = 0;  ///< what it bears of that [N]
 };
 
-struct Shape
-{
-	const char* m_name;
-	SectionSurface m_exact;
-	btElasticPlasticSection m_section;
-};
-
 /// \param stiffer  than steel; so stiff that places stay where they are, but not so that float rounds what is elastic of them
 /// \param tension  strength in tension over the one in compression
 btElasticPlasticMaterial materialOf(double stiffer, double tension)
@@ -236,6 +268,71 @@ std::vector<Shape> flatShapes()
 										 : "1 : 10",
 						  solidRectangle(0.1, height),
 						  Section::rectangle(btScalar(0.1), btScalar(height)).withFibres()});
+	return shapes;
+}
+
+/// Not cut into fibres yet.
+std::vector<Shape> openShapes()
+{
+	typedef btElasticPlasticSection Section;
+	const auto s = [](double x) { return btScalar(x); };
+	std::vector<Shape> shapes = {{"T", {}, Section::tSection(s(0.15), s(0.15), s(0.01), s(0.015))},
+								 {"channel", {}, Section::channel(s(0.075), s(0.2), s(0.0085), s(0.0115))},
+								 {"angle", {}, Section::angle(s(0.1), s(0.1), s(0.01))},
+								 {"unequal angle", {}, Section::angle(s(0.1), s(0.15), s(0.012))}};
+	for (Shape& shape : shapes)
+		shape.m_exact = openWalls(shape.m_section);
+	return shapes;
+}
+
+/// The same figure, of which nobody knows that it has walls.
+btElasticPlasticSection drawn(const btElasticPlasticSection& section)
+{
+	return btElasticPlasticSection::polygon(&section.m_corners[0], &section.m_numCorners[0], 1);
+}
+
+/// Sections by their corners, in decimetres.
+std::vector<Shape> polygons()
+{
+	typedef btElasticPlasticSection Section;
+	typedef std::vector<std::array<double, 2>> Outline;
+	const auto polygon = [](const std::vector<Outline>& outlines)
+	{
+		std::vector<btElasticPlasticSectionPoint> corners;
+		std::vector<int> counts;
+		for (const Outline& outline : outlines)
+		{
+			counts.push_back(int(outline.size()));
+			for (const auto& corner : outline)
+				corners.push_back({btScalar(0.1 * corner[0]), btScalar(0.1 * corner[1])});
+		}
+		return Section::polygon(corners.data(), counts.data(), int(counts.size()));
+	};
+	const auto rectangle = [](double h, double b) {
+		return Outline{{h / 2, b / 2}, {-h / 2, b / 2}, {-h / 2, -b / 2}, {h / 2, -b / 2}};
+	};
+	Outline hexagon;
+	for (int i = 0; i < 6; ++i)
+		hexagon.push_back({std::cos(i * PI / 3), std::sin(i * PI / 3)});
+	std::vector<Shape> shapes = {
+		{"rectangle 1 : 2", solidRectangle(0.1, 0.2), polygon({rectangle(2, 1)}).withFibres()},
+		{"rectangle 1 : 5", solidRectangle(0.1, 0.5), polygon({rectangle(5, 1)}).withFibres()}};
+	const auto add = [&](const char* name, const Section& section, bool hasWalls) {
+		shapes.push_back({name, finePolygon(section, hasWalls), section.withFibres()});
+	};
+	add("triangle", polygon({{{0, 0}, {0, 1}, {1, 0}}}), false);
+	add("hexagon", polygon({hexagon}), false);
+	add("stout L", polygon({{{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}}}), false);
+	add("box", polygon({rectangle(2, 1), rectangle(1.88, 0.88)}), true);
+	add("trapezium with a hole",
+		polygon({{{0, 0}, {0, 3}, {2, 2.5}, {2, 0.5}}, {{0.4, 0.7}, {1.6, 0.8}, {1.6, 2.2}, {0.4, 2.3}}}), true);
+	add("two cells",
+		polygon({{{0, 0}, {0, 8}, {2, 10}, {2, -2}},
+				 {{0.3, 0.5}, {1.7, 0.2}, {1.7, 3.8}, {0.3, 3.8}},
+				 {{0.3, 4.2}, {1.7, 4.2}, {1.7, 7.8}, {0.3, 7.5}}}),
+		true);
+	for (const Shape& walls : openShapes())
+		add(walls.m_name, drawn(walls.m_section), true);
 	return shapes;
 }
 
@@ -288,21 +385,43 @@ SectionForces6 anyDirection(std::mt19937& random)
 	return direction;
 }
 
-void expectRight(const Shape& shape, int directions)
+/// The least and the most that is borne of what should be, in random directions. Shears and torsion are measured by what the section bears of each.
+std::pair<double, double> sharesBorne(const SectionSurface& exact, const btElasticPlasticCapacity& capacity,
+									  int directions, bool isSudden)
 {
+	const SectionForces6 alone = exact.aloneAtRest();
 	std::mt19937 random(1);
-	const btElasticPlasticCapacity capacity = capacityOf(shape.m_section);
 	double least = 2, most = 0;
 	for (int i = 0; i < directions; ++i)
 	{
 		Loaded loaded(capacity);
-		const double share = shareBorne(loaded, scaledToSurface(shape.m_exact, anyDirection(random)));
+		SectionForces6 scaled = scaledToSurface(exact, alone, anyDirection(random));
+		for (const size_t k : {0, 4, 5})
+			scaled[k] *= alone[k] * YIELD / double(capacity.m_yield[k]);
+		const double share = shareBorne(loaded, scaled, isSudden);
 		least = std::min(least, share);
 		most = std::max(most, share);
 	}
+	return {least, most};
+}
+
+void expectRight(const Shape& shape, int directions)
+{
+	const std::pair<double, double> shares = sharesBorne(shape.m_exact, capacityOf(shape.m_section), directions, true);
 	// The bound that such sections are asked to keep.
-	EXPECT_GT(least, 1 - 0.08) << shape.m_name;
-	EXPECT_LT(most, 1 + 0.08) << shape.m_name;
+	EXPECT_GT(shares.first, 1 - 0.08) << shape.m_name;
+	EXPECT_LT(shares.second, 1 + 0.08) << shape.m_name;
+}
+
+/// The same with less strength in tension.
+void expectRight(Shape shape, double tension, int directions)
+{
+	shape.m_exact.m_tension = tension;
+	const std::pair<double, double> shares =
+		sharesBorne(shape.m_exact, capacityOf(shape.m_section, inPrecision(100, 10), tension), directions, false);
+	// 0.945 to 1.065 measured in 2000 directions with 0.3 and 0.6.
+	EXPECT_GT(shares.first, 1 - 0.08) << shape.m_name << ", " << tension;
+	EXPECT_LT(shares.second, 1 + 0.08) << shape.m_name << ", " << tension;
 }
 
 TEST(ShearInteraction, IsRightInAllDirectionsOfAllSixForces)
@@ -325,40 +444,25 @@ TEST(ShearInteraction, IsRightInFlatSections)
 
 TEST(ShearInteraction, IsRightInSectionsThatAreNotSymmetric)
 {
-	typedef btElasticPlasticSection Section;
-	const auto s = [](double x) { return btScalar(x); };
-	// Legs that are not alike bear more along an axis where a force across it acts, too, than without.
-	const struct
+	for (Shape shape : openShapes())
 	{
-		const char* m_name;
-		Section m_section;
-	} shapes[] = {{"T", Section::tSection(s(0.15), s(0.15), s(0.01), s(0.015))},
-				  {"channel", Section::channel(s(0.075), s(0.2), s(0.0085), s(0.0115))},
-				  {"angle", Section::angle(s(0.1), s(0.1), s(0.01))},
-				  {"unequal angle", Section::angle(s(0.1), s(0.15), s(0.012))}};
-	for (const auto& shape : shapes)
+		shape.m_section = shape.m_section.withFibres();
+		expectRight(shape, repeats(2000, 50));
+	}
+}
+
+TEST(ShearInteraction, IsRightInPolygons)
+{
+	for (const Shape& shape : polygons())
+		expectRight(shape, repeats(2000, 25));
+	for (const Shape& shape : openShapes())
 	{
-		const SectionSurface exact = openWalls(shape.m_section);
-		const btElasticPlasticCapacity capacity = capacityOf(shape.m_section.withFibres());
-		// What it bears of one force and nothing else; at the most of it, others would have to act, too.
-		SectionForces6 alone;
-		for (size_t k = 0; k < 6; ++k)
-		{
-			SectionForces6 one = {};
-			one[k] = 1;
-			alone[k] = exact.radius(one);
-		}
-		std::mt19937 random(1);
-		double least = 2, most = 0;
-		for (int i = 0; i < repeats(2000, 50); ++i)
-		{
-			Loaded loaded(capacity);
-			const double share = shareBorne(loaded, scaledToSurface(exact, alone, anyDirection(random)));
-			least = std::min(least, share);
-			most = std::max(most, share);
-		}
-		EXPECT_GT(least, 1 - 0.08) << shape.m_name;
-		EXPECT_LT(most, 1 + 0.08) << shape.m_name;
+		// As the walls that it is drawn from, but that the corner of an angle may slip in any direction: 0.925 to 1.095 measured in 2000 directions of
+		// that, 0.93 to 1.055 of the others.
+		const std::pair<double, double> shares =
+			sharesBorne(shape.m_exact, capacityOf(drawn(shape.m_section).withFibres(100)), repeats(2000, 25), true);
+		EXPECT_GT(shares.first, 1 - 0.1) << shape.m_name;
+		EXPECT_LT(shares.second, 1 + 0.1) << shape.m_name;
 	}
 }
 
@@ -389,22 +493,6 @@ TEST(ShearInteraction, OfUnequalStrengthsHasAReferenceThatIsRight)
 }
 
 /// Of what the library's section bears over what it should, the least and the most.
-std::pair<double, double> sharesBorne(const SectionSurface& exact, const btElasticPlasticCapacity& capacity,
-									  int directions)
-{
-	const SectionForces6 alone = exact.aloneAtRest();
-	std::mt19937 random(1);
-	double least = 2, most = 0;
-	for (int i = 0; i < directions; ++i)
-	{
-		Loaded loaded(capacity);
-		const double share = shareBorne(loaded, scaledToSurface(exact, alone, anyDirection(random)), false);
-		least = std::min(least, share);
-		most = std::max(most, share);
-	}
-	return {least, most};
-}
-
 TEST(ShearInteraction, IsRightOfConcreteWithBars)
 {
 	// A column with six bars at its sides, and a beam with three below: 1.5 % of steel, 15 times as strong as the concrete, which bears a tenth in tension.
@@ -429,7 +517,7 @@ TEST(ShearInteraction, IsRightOfConcreteWithBars)
 			section.addBar(btScalar(bar.y), btScalar(bar.z), btScalar(area), steel);
 		}
 		const std::pair<double, double> shares =
-			sharesBorne(exact, capacityOf(section, inPrecision(100, 10), tension), repeats(2000, 20));
+			sharesBorne(exact, capacityOf(section, inPrecision(100, 10), tension), repeats(2000, 20), false);
 		// The same bound, kept in 2000 directions. 0.945 to 1.065 measured in 80.
 		EXPECT_GT(shares.first, 1 - 0.08) << places.size();
 		EXPECT_LT(shares.second, 1 + 0.08) << places.size();
@@ -446,14 +534,15 @@ TEST(ShearInteraction, IsRightWhereStrengthsAreUnequal)
 			// Where the pressed part is a tenth of the height the default number of fibres errs by up to 15 % in N and bending alone.
 			if (tension < 0.2)
 				shape.m_section = shape.m_section.withFibresFor(btScalar(0.01));
-			shape.m_exact.m_tension = tension;
-			const std::pair<double, double> shares =
-				sharesBorne(shape.m_exact, capacityOf(shape.m_section, inPrecision(100, 10), tension),
-							repeats(2000, tension < 0.2 ? 5 : 15));
-			// The bound that such sections are asked to keep. 0.945 to 1.065 measured in 2000 directions with 0.3 and 0.6.
-			EXPECT_GT(shares.first, 1 - 0.08) << shape.m_name << ", " << tension;
-			EXPECT_LT(shares.second, 1 + 0.08) << shape.m_name << ", " << tension;
+			expectRight(shape, tension, repeats(2000, tension < 0.2 ? 5 : 15));
 		}
+	for (Shape& shape : openShapes())
+	{
+		shape.m_section = shape.m_section.withFibres();
+		expectRight(shape, 0.3, repeats(2000, 10));
+	}
+	for (const Shape& shape : polygons())
+		expectRight(shape, 0.3, repeats(2000, 5));
 }
 
 /// The most of one shear beside an axial force, over the strength in compression: the least of h(e, 1) - N e.
@@ -580,10 +669,14 @@ public:
 TEST(ShearInteraction, OfUnequalStrengthsMakesNoEnergyAndIsFoundInFewSteps)
 {
 	unsigned seed = 0;  // goes on from shape to shape, so that all step lengths are tried
+	std::vector<Shape> all = shapes();
+	for (const Shape& polygon : polygons())
+		if (polygon.m_name == std::string("triangle") || polygon.m_name == std::string("two cells"))
+			all.push_back(polygon);
 	for (const double tension : WEAKER)
 	{
 		btElasticPlasticStatistics statistics;
-		for (const Shape& shape : shapes())
+		for (const Shape& shape : all)
 		{
 			double slipped = 0, plastic = 0;
 			for (int trial = 0; trial < repeats(10, 2); ++trial, ++seed)

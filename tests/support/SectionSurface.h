@@ -85,13 +85,14 @@ public:
 	/// What it bears of shears and torsion by themselves where no cell has a normal stress, and under pressure alone, and of moments alone.
 	SectionForces6 aloneAtRest() const
 	{
-		const SectionForces6 most = alone();
+		SectionSurface even = *this;
+		even.m_tension = 1;
 		SectionForces6 rest;
 		for (size_t k = 0; k < 6; ++k)
 		{
 			SectionForces6 one = {};
 			one[k] = k == 0 ? -1 : 1;
-			rest[k] = k >= 1 && k <= 3 ? most[k] * std::sqrt(m_tension) / half() : radius(one);
+			rest[k] = k >= 1 && k <= 3 ? even.radius(one) : radius(one);
 		}
 		return rest;
 	}

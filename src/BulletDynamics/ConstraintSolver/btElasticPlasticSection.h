@@ -94,7 +94,7 @@ struct btElasticPlasticSection
 	///               asked for, 36 by default, and some 100 for 1 %. Each bolt is one.
 	/// \param withShear  whether shears and torsion yield together with them: all six forces are then right within 8 % of von Mises' theory,
 	///               and shear takes of the fibres' strength, by the walls that bear it. Of materials that are weaker in
-	///               tension pressure adds to it; those with less than a tenth, or with a friction, and polygon() are left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where
+	///               tension pressure adds to it; those with less than a tenth, or with a friction, are left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where
 	///               they act together with the rest; a joint's step is an eighth to a quarter shorter where it is loaded beyond half of its strength
 	btElasticPlasticSection withFibres(int count = 0, bool withShear = true) const;
 
@@ -142,8 +142,8 @@ struct btElasticPlasticSection
 
 	/// Any shape with straight sides, with holes or without, its corners in axes y and z of your own. Area, second moments, principal axes and plastic
 	/// moduli are exact (Green's theorem). Shear areas are those of Jourawski's stress, A_s = I^2 / integral of S^2/b; 6/5 of them yield, but no more
-	/// than A. Torsion is plastic by the sand heap with holes, and elastic by a lower bound that is exact for circles, even
-	/// tubes and thin walls, and up to 17 % low for compact shapes. It takes some 20 ms: make one for many joints.
+	/// than A. Torsion is plastic by the sand heap with holes, and elastic within 1 % of compact shapes, circles, even tubes and thin walls. It takes some
+	/// 20 ms: make one for many joints.
 	/// \param corners      of the outer outline, then those of each hole, in either direction of turn. Outlines must not meet themselves or each
 	///                     other, and have more area than 1e-6 of the square of their distance from the origin
 	/// \param numCorners   of each outline, 3 or more; 1000 in all at most

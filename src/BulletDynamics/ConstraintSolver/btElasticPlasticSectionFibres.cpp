@@ -6,7 +6,7 @@
 #include "btElasticPlasticSection.h"
 
 #include "ElasticPlastic/section/CellStrength.h"
-#include "ElasticPlastic/section/Clusters.h"
+#include "ElasticPlastic/section/FibreSlips.h"
 #include "ElasticPlastic/section/StiffShares.h"
 #include "LinearMath/btMinMax.h"
 
@@ -340,8 +340,15 @@ void addClusters(btElasticPlasticSection& section, int count)
 		cells.push_back({cluster.m_y, cluster.m_z, cluster.m_area, cluster.m_area});
 	const double outwards[2] = {double(section.m_plasticModulus[1]) / strengthAlone(cells, MOMENT_Z),
 								double(section.m_plasticModulus[0]) / strengthAlone(cells, MOMENT_Y)};
-	for (const Cluster& cluster : clusters)
-		add(section, outwards[0] * cluster.m_y, outwards[1] * cluster.m_z, cluster.m_area);
+	const std::vector<FibreSlip> slips = fibreSlipsOf(clusters);
+	for (size_t i = 0; i < clusters.size(); ++i)
+	{
+		add(section, outwards[0] * clusters[i].m_y, outwards[1] * clusters[i].m_z, clusters[i].m_area);
+		btElasticPlasticSectionFibre& fibre = section.m_fibres[section.m_fibres.size() - 1];
+		shearFreely(fibre, slips[i].m_twist[0], slips[i].m_twist[1]);
+		for (int k = 0; k < 2; ++k)
+			fibre.m_wall[k] = btScalar(slips[i].m_wall[k]);
+	}
 }
 }  // namespace
 

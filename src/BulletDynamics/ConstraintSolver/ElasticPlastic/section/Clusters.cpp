@@ -13,6 +13,8 @@ const int LEAST_PIECES = 1000, PIECES_OF_A_CLUSTER = 30, ROUNDS = 40;
 /// What is symmetric has ties. The first one is taken, and not what a compiler's rounding makes of them.
 const double TIE = 1e-9;
 
+Cluster clusterOf(double y, double z, double area) { return {y, z, area, {}, 0, 0, 0}; }
+
 double distance2(const Cluster& a, const Cluster& b)
 {
 	return (a.m_y - b.m_y) * (a.m_y - b.m_y) + (a.m_z - b.m_z) * (a.m_z - b.m_z);
@@ -23,7 +25,7 @@ std::vector<Cluster> spread(const std::vector<Cluster>& pieces, int count)
 {
 	std::vector<Cluster> clusters;
 	std::vector<double> weight(pieces.size(), -1.);
-	Cluster from = {0, 0, 0};
+	Cluster from = clusterOf(0, 0, 0);
 	for (int i = 0; i < count; ++i)
 	{
 		size_t next = 0;
@@ -40,6 +42,64 @@ std::vector<Cluster> spread(const std::vector<Cluster>& pieces, int count)
 	}
 	return clusters;
 }
+
+size_t nearestTo(const Cluster& piece, const std::vector<Cluster>& clusters)
+{
+	size_t nearest = 0;
+	for (size_t i = 1; i < clusters.size(); ++i)
+		if (distance2(piece, clusters[i]) < distance2(piece, clusters[nearest]) * (1 - TIE))
+			nearest = i;
+	return nearest;
+}
+
+void arrange(std::vector<Cluster>& clusters)
+{
+	for (size_t i = 1; i + 1 < clusters.size(); ++i)
+	{
+		size_t next = i;
+		for (size_t k = i + 1; k < clusters.size(); ++k)
+			if (distance2(clusters[k], clusters[i - 1]) < distance2(clusters[next], clusters[i - 1]) * (1 - TIE))
+				next = k;
+		const Cluster nearest = clusters[next];
+		clusters[next] = clusters[i];
+		clusters[i] = nearest;
+	}
+}
+
+void add(double factor, const Region::Point& p, Region::Point& sum)
+{
+	sum.m_y += factor * p.m_y;
+	sum.m_z += factor * p.m_z;
+}
+
+/// Each cluster slips as its pieces do.
+void findSlips(const std::vector<Region>& regions, const std::vector<Cluster>& pieces, std::vector<Cluster>& clusters)
+{
+	std::vector<SectionPoint> points;
+	for (const Region& region : regions)
+		addPointsOf(region.moments(), points);
+	const std::vector<Slips> slips = slipsOf(points);
+	std::vector<double> areas(clusters.size(), 0.);
+	std::vector<size_t> owners;
+	for (const Cluster& piece : pieces)
+	{
+		owners.push_back(nearestTo(piece, clusters));
+		areas[owners.back()] += piece.m_area;
+	}
+	for (size_t i = 0; i < points.size(); ++i)
+	{
+		const size_t owner = owners[i / POINTS_OF_A_PIECE];
+		const double share = points[i].m_area / areas[owner];
+		const Region::Point& twist = slips[i].m_twist;
+		Cluster& cluster = clusters[owner];
+		add(share, slips[i].m_alongY, cluster.m_slips.m_alongY);
+		add(share, slips[i].m_alongZ, cluster.m_slips.m_alongZ);
+		add(share, twist, cluster.m_slips.m_twist);
+		cluster.m_twistYY += share * twist.m_y * twist.m_y;
+		cluster.m_twistYZ += share * twist.m_y * twist.m_z;
+		cluster.m_twistZZ += share * twist.m_z * twist.m_z;
+	}
+}
 }  // namespace
 
 std::vector<Cluster> clustersOf(const Region& region, int count)
@@ -50,27 +110,26 @@ std::vector<Cluster> clustersOf(const Region& region, int count)
 	for (const Region& piece : regions)
 	{
 		const Region::Moments m = piece.moments();
-		pieces.push_back({m.m_y / m.m_area, m.m_z / m.m_area, m.m_area});
+		pieces.push_back(clusterOf(m.m_y / m.m_area, m.m_z / m.m_area, m.m_area));
 	}
 	std::vector<Cluster> clusters = spread(pieces, btMin(count, int(pieces.size())));
 	for (int round = 0; round < ROUNDS; ++round)
 	{
-		std::vector<Cluster> sums(clusters.size(), {0, 0, 0});
+		std::vector<Cluster> sums(clusters.size(), clusterOf(0, 0, 0));
 		for (const Cluster& piece : pieces)
 		{
-			size_t nearest = 0;
-			for (size_t i = 1; i < clusters.size(); ++i)
-				if (distance2(piece, clusters[i]) < distance2(piece, clusters[nearest]) * (1 - TIE))
-					nearest = i;
-			sums[nearest].m_y += piece.m_area * piece.m_y;
-			sums[nearest].m_z += piece.m_area * piece.m_z;
-			sums[nearest].m_area += piece.m_area;
+			Cluster& sum = sums[nearestTo(piece, clusters)];
+			sum.m_y += piece.m_area * piece.m_y;
+			sum.m_z += piece.m_area * piece.m_z;
+			sum.m_area += piece.m_area;
 		}
 		clusters.clear();
 		for (const Cluster& sum : sums)
 			if (sum.m_area > 0)
-				clusters.push_back({sum.m_y / sum.m_area, sum.m_z / sum.m_area, sum.m_area});
+				clusters.push_back(clusterOf(sum.m_y / sum.m_area, sum.m_z / sum.m_area, sum.m_area));
 	}
+	arrange(clusters);
+	findSlips(regions, pieces, clusters);
 	return clusters;
 }
 }  // namespace btElasticPlastic

@@ -4,7 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_CLUSTERS_H
 #define BT_ELASTIC_PLASTIC_CLUSTERS_H
 
-#include "Region.h"
+#include "Slips.h"
 
 namespace btElasticPlastic
 {
@@ -12,10 +12,13 @@ struct Cluster
 {
 	double m_y, m_z;  ///< its centroid
 	double m_area;
+	Slips m_slips;                           ///< means
+	double m_twistYY, m_twistYZ, m_twistZZ;  ///< means of the twist's slips' products
 };
 
 /// Cuts a figure into about equally large, compact clusters, by Lloyd's method: each has what is nearest to it. They stand in no rows, so that a
 /// straight line cuts few of them at a time; what lies on a line is what a bundle of fibres bears too little of.
+/// Each one next to the one before, as far as they go.
 std::vector<Cluster> clustersOf(const Region& region, int count);
 }  // namespace btElasticPlastic
 

@@ -23,7 +23,8 @@ struct Torsion
 ///     J = integral of 4 V^2 / L over d,
 ///
 /// which is never more than J. It is exact for circles, for tubes of even wall, and for thin walls, open or closed; 11 % low for a square, which is the
-/// worst of rectangles, 17 % for a triangle of equal sides.
+/// worst of rectangles, 17 % for a triangle of equal sides. Where that is much less than by elastic slips (Slips.h), a bound from above that is next to exact
+/// for compact figures, these are taken.
 Torsion torsionOf(const Region& region);
 }  // namespace btElasticPlastic
 
