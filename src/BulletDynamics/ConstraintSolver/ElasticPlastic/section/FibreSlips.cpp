@@ -14,7 +14,7 @@ namespace
 /// What a cluster slips by shears across the way in which it slips most, over that: below it is a thin wall's; and where most of the section is, that of
 /// a wall. Compact figures have 0.2 to 1, and less in a sharp corner.
 const double THIN = 0.15, WALL = 0.4;
-const int MOST_TURNS = 50;
+const int TURNS_ROUND = 50;
 
 /// Axis and size of the greater and of the lesser of two slips that stand for a sum of squares.
 struct Principal
@@ -88,7 +88,7 @@ void balance(std::vector<Variation>& variations, double size2)
 	for (const Variation& v : variations)
 		for (int k = 0; k < 6; ++k)
 			sums[k] += v.m_sums[k];
-	for (int turn = 0; turn < MOST_TURNS; ++turn)
+	for (int turn = 0; turn < TURNS_ROUND; ++turn)
 		for (Variation& v : variations)
 		{
 			double change = 0;
