@@ -456,6 +456,30 @@ TEST(SceneMaterials, BeginWithTheLibrarysReadyOnes)
 	expectParts(complaintOf(R"("materials": {"m": {"ready": "S356"}})"), {"materials.m.ready", "did you mean \"S35"});
 }
 
+TEST(SceneMaterials, AreAsFastAsTheLibraryKnowsWhereTheyAreRated)
+{
+	const btElasticPlasticReadyMaterial ready = btElasticPlasticReadyMaterial::at(0);
+	ASSERT_EQ(ready.m_name, std::string("S235"));
+	btElasticPlasticMaterial steel = ready.m_material;
+	steel.m_rate = ready.m_rate;
+	const auto expected =
+		btElasticPlasticCapacity::fromMember(steel, btElasticPlasticSection::circle(btScalar(.1)).withFibres(), 1, 1);
+	ASSERT_GT(expected.m_fibres[0].m_rateReference, 0);
+	for (const bool isRated : {false, true})
+	{
+		const std::string material = isRated ? R"({"ready": "S235", "rated": true})" : R"({"ready": "S235"})";
+		Simulation s(
+			sceneOf(R"("structures": [{"beam": {"name": "b", "material": )" + material +
+					R"(, "section": {"circle": 0.1, "fibres": 0}, "from": [0, 1, 0], "to": [2, 1, 0], "parts": 2}}])"));
+		const btElasticPlasticFibre& fibre = s.joint(1)->getCapacity().m_fibres[0];
+		EXPECT_EQ(isRated ? expected.m_fibres[0].m_rateReference : btScalar(0), fibre.m_rateReference);
+		EXPECT_EQ(expected.m_fibres[0].m_rateExponent, fibre.m_rateExponent);
+	}
+	expectParts(complaintOf(R"("materials": {"m": {"rated": true}})"), {"materials.m.rated", "name it by ready"});
+	expectParts(complaintOf(R"("materials": {"m": {"ready": "GJL-250", "rated": true}})"),
+				{"materials.m.rated", "give it by rate"});
+}
+
 TEST(SceneJoints, TakeTheWorldsScheme)
 {
 	const char* const beam =

@@ -15,6 +15,8 @@ namespace
 /// a wall. Compact figures have 0.2 to 1, and less in a sharp corner.
 const double THIN = 0.15, WALL = 0.4;
 const int TURNS_ROUND = 50;
+/// What is symmetric has ties: nothing is turned round for what rounding makes of them.
+const double EVEN = 1e-9;
 
 /// Axis and size of the greater and of the lesser of two slips that stand for a sum of squares.
 struct Principal
@@ -91,10 +93,14 @@ void balance(std::vector<Variation>& variations, double size2)
 	for (int turn = 0; turn < TURNS_ROUND; ++turn)
 		for (Variation& v : variations)
 		{
-			double change = 0;
+			double square = 0, all = 0;
 			for (int k = 0; k < 6; ++k)
-				change += (v.m_sums[k] - sums[k]) * v.m_sums[k] / (k < 2 ? 1 : size2);
-			if (!(change < 0))
+			{
+				const double part = v.m_sums[k] / (k < 2 ? 1 : size2);
+				square += part * v.m_sums[k];
+				all += part * sums[k];
+			}
+			if (!(square < all * (1 - EVEN)))
 				continue;
 			for (int k = 0; k < 6; ++k)
 				sums[k] -= 2 * v.m_sums[k];

@@ -91,44 +91,31 @@ void SolverWorks::endStep()
 		solver->endStep();
 }
 
-/// The action of the first joint that has one.
-const JointRegistry* SolverWorks::findRegistry() const
-{
-	for (int i = 0; i < m_joints.size(); ++i)
-		if (m_joints[i] && m_joints[i]->m_entry.m_registry)
-			return m_joints[i]->m_entry.m_registry;
-	return nullptr;
-}
-
 /// A pool does not tell its solvers of steps, but the time of the joints' action does.
 void SolverWorks::beginStepInPool()
 {
-	const JointRegistry* const registry = findRegistry();
-	if (!registry || registry->getTime() == m_poolTime)
+	if (!m_registry || m_registry->getTime() == m_poolTime)
 		return;
-	m_poolTime = registry->getTime();
+	m_poolTime = m_registry->getTime();
 	for (const auto& solver : m_solvers)
 		solver->beginStep(true);
-}
-
-bool SolverWorks::isStepControlled() const
-{
-	const JointRegistry* const registry = findRegistry();
-	return registry && registry->isStepControlled();
 }
 
 bool SolverWorks::findJoints(const SolverGroup& group)
 {
 	bool hasJoints = false;
+	m_registry = nullptr;
 	m_joints.resizeNoInitialize(group.m_numConstraints);
 	for (int i = 0; i < group.m_numConstraints; ++i)
 	{
 		group.prefetchAfter(i);
 		m_joints[i] = JointWorks::from(group.m_constraints[i]);
 		hasJoints |= m_joints[i] != nullptr;
+		if (m_joints[i] && !m_registry)
+			m_registry = m_joints[i]->m_entry.m_registry;
 	}
-	if (const JointRegistry* const registry = hasJoints ? findRegistry() : nullptr)
-		m_substepShare = registry->getSubstepShare();
+	if (m_registry)
+		m_substepShare = m_registry->getSubstepShare();
 	return hasJoints;
 }
 
@@ -146,7 +133,7 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 		return SolverGroup();
 	}
 	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::areAsked(m_settings) &&
-		group.m_numConstraints <= MOST_LOOKED_AHEAD && !isStepControlled())
+		group.m_numConstraints <= MOST_LOOKED_AHEAD && !(m_registry && m_registry->isStepControlled()))
 		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(group, m_settings), *dispatcher);
 	splitFound(group);
 	solveIslands(info, debugDrawer, dispatcher);

@@ -56,14 +56,13 @@ private:
 
 	/// \return whether there is any elastic-plastic joint
 	bool findJoints(const SolverGroup& group);
-	const JointRegistry* findRegistry() const;
 	void beginStepInPool();
-	bool isStepControlled() const;
 	void splitFound(const SolverGroup& group);
 	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
 
 	btElasticPlasticSolverSettings m_settings;
 	bool m_isInPool = true;
+	const JointRegistry* m_registry = nullptr;       ///< the action of the first of m_joints that has one
 	std::shared_ptr<const btScalar> m_substepShare;  ///< of the action of the last joints; null: none yet
 	double m_poolTime = -1;  ///< of the joints' action, by which a solver in a pool knows steps apart
 	EarlyContacts m_earlyContacts;
