@@ -102,11 +102,12 @@ endfunction()
 set(EP_OF_DRAWING_TESTS ENVIRONMENT ASAN_OPTIONS=detect_leaks=0)  # graphics drivers leak
 
 # Adds a test for each suite of a GoogleTest program: most single tests take less time than a process to start. The program is asked for
-# its suites when they are to run: one that cannot start fails the tests, not the build.
+# its suites when they are to run: one that cannot start fails the tests, not the build. Those of the list EP_LEFT_OUT<suffix> are left out.
 function(ep_add_suites program suffix)
 	get_property(is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
 	set(file ${CMAKE_CURRENT_BINARY_DIR}/${program}-suites)
 	set(PROPERTIES ${ARGN})
+	string(REPLACE ";" " " LEFT_OUT "${EP_LEFT_OUT${suffix}}")
 	configure_file(${PROJECT_SOURCE_DIR}/cmake/Suites.cmake.in ${file}.cmake.in @ONLY)
 	if(is_multi_config)
 		file(GENERATE OUTPUT ${file}-$<CONFIG>.cmake INPUT ${file}.cmake.in)
