@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticC.h"
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticFault.h"
 #include "LinearMath/btScalar.h"
 
 namespace testC
@@ -185,7 +186,8 @@ TEST_F(CInterface, TellsThatABodyIsNotFinite)
 		{
 			double linear[3], angular[3];
 			ASSERT_EQ(BTEP_OK, btep_body_get_velocity(m_world, body, linear, angular));
-			areFinite &= std::isfinite(linear[0] + linear[1] + linear[2] + angular[0] + angular[1] + angular[2]);
+			areFinite &=
+				btElasticPlasticIsFinite(linear[0] + linear[1] + linear[2] + angular[0] + angular[1] + angular[2]);
 		}
 		EXPECT_EQ(areFinite ? BTEP_OK : BTEP_NOT_FINITE, result) << i;
 		if (isSingle && i == 9)
