@@ -458,7 +458,7 @@ TEST(ShearInteraction, IsRightInPolygons)
 	for (const Shape& shape : openShapes())
 	{
 		// As the walls that it is drawn from, but that the corner of an angle may slip in any direction: 0.925 to 1.095 measured in 2000 directions of
-		// that, 0.93 to 1.055 of the others.
+		// that, of the others within 8 %.
 		const std::pair<double, double> shares =
 			sharesBorne(shape.m_exact, capacityOf(drawn(shape.m_section).withFibres(100)), repeats(2000, 25), true);
 		EXPECT_GT(shares.first, 1 - 0.1) << shape.m_name;
@@ -492,7 +492,6 @@ TEST(ShearInteraction, OfUnequalStrengthsHasAReferenceThatIsRight)
 	}
 }
 
-/// Of what the library's section bears over what it should, the least and the most.
 TEST(ShearInteraction, IsRightOfConcreteWithBars)
 {
 	// A column with six bars at its sides, and a beam with three below: 1.5 % of steel, 15 times as strong as the concrete, which bears a tenth in tension.

@@ -52,6 +52,7 @@ size_t nearestTo(const Cluster& piece, const std::vector<Cluster>& clusters)
 	return nearest;
 }
 
+/// Puts each one next to the one before, as far as they go.
 void arrange(std::vector<Cluster>& clusters)
 {
 	for (size_t i = 1; i + 1 < clusters.size(); ++i)

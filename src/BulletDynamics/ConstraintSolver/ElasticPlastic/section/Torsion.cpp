@@ -43,6 +43,7 @@ std::vector<double> heightsOf(const std::vector<Region::Outline>& outlines)
 					heights[i] = btMin(heights[i], heights[j] + gapBetween(outlines[i], outlines[j]));
 	return heights;
 }
+
 /// A bound from above, but for what the grid makes of it: right within 0.5 % of compact figures, and up to 5 % high where a closed wall is thin.
 double constantOfSlips(const std::vector<Region>& pieces)
 {
