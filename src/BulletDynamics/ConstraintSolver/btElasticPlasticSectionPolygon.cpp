@@ -83,8 +83,9 @@ double shearArea(const Region& region, const double size[2], double second, bool
 	return second * second / energy;
 }
 
-/// By its corners and the origin of its axes.
-btElasticPlasticSection sectionOf(std::vector<Region::Outline> outlines)
+/// By its corners and the origin of its axes, all but torsion.
+/// \param region  gets the figure, seen from the section's axes
+btElasticPlasticSection sectionOf(std::vector<Region::Outline> outlines, Region& region)
 {
 	btElasticPlasticSection s;
 	s.m_fault = faultOfOutlines(outlines);
@@ -97,7 +98,7 @@ btElasticPlasticSection sectionOf(std::vector<Region::Outline> outlines)
 	drawn.m_outlines = outlines;
 	const Region::Moments given = drawn.moments();
 	const double turn = nearestPrincipalTurn(given.centred());
-	const Region region = drawn.seenFrom(given.m_y / given.m_area, given.m_z / given.m_area, turn);
+	region = drawn.seenFrom(given.m_y / given.m_area, given.m_z / given.m_area, turn);
 	const Region::Moments m = region.moments();
 	double size[2] = {};
 	for (const Region::Outline& outline : region.m_outlines)
@@ -124,9 +125,6 @@ btElasticPlasticSection sectionOf(std::vector<Region::Outline> outlines)
 		s.m_shearArea[i] = btScalar(shear);
 		s.m_plasticShearArea[i] = btScalar(btMin(1.2 * shear, m.m_area));
 	}
-	const Torsion torsion = torsionOf(region);
-	s.m_torsionConstant = btScalar(torsion.m_constant);
-	s.m_plasticTorsionModulus = btScalar(torsion.m_plasticModulus);
 	return s;
 }
 
@@ -179,7 +177,8 @@ void setWalls(btElasticPlasticSection& s, const std::vector<Wall>& walls)
 
 btElasticPlasticSection withWalls(const Region::Outline& outline, const std::vector<Wall>& walls)
 {
-	btElasticPlasticSection s = sectionOf({outline});
+	Region region;
+	btElasticPlasticSection s = sectionOf({outline}, region);
 	if (!s.m_fault)
 		setWalls(s, walls);
 	return s;
@@ -228,7 +227,16 @@ btElasticPlasticSection btElasticPlasticSection::polygon(const btElasticPlasticS
 			outline.push_back({double(corners[sum].m_y), double(corners[sum].m_z)});
 		outlines.push_back(outline);
 	}
-	return s.m_fault ? s : sectionOf(outlines);
+	if (s.m_fault)
+		return s;
+	Region region;
+	s = sectionOf(outlines, region);
+	if (s.m_fault)
+		return s;
+	const Torsion torsion = torsionOf(region);
+	s.m_torsionConstant = btScalar(torsion.m_constant);
+	s.m_plasticTorsionModulus = btScalar(torsion.m_plasticModulus);
+	return s;
 }
 
 btElasticPlasticSection btElasticPlasticSection::tSection(btScalar width, btScalar height, btScalar web,

@@ -13,8 +13,6 @@ const int LEAST_PIECES = 1000, PIECES_OF_A_CLUSTER = 30, ROUNDS = 40;
 /// What is symmetric has ties. The first one is taken, and not what a compiler's rounding makes of them.
 const double TIE = 1e-9;
 
-Cluster clusterOf(double y, double z, double area) { return {y, z, area, {}, 0, 0, 0}; }
-
 double distance2(const Cluster& a, const Cluster& b)
 {
 	return (a.m_y - b.m_y) * (a.m_y - b.m_y) + (a.m_z - b.m_z) * (a.m_z - b.m_z);
@@ -25,7 +23,7 @@ std::vector<Cluster> spread(const std::vector<Cluster>& pieces, int count)
 {
 	std::vector<Cluster> clusters;
 	std::vector<double> weight(pieces.size(), -1.);
-	Cluster from = clusterOf(0, 0, 0);
+	Cluster from = {0, 0, 0};
 	for (int i = 0; i < count; ++i)
 	{
 		size_t next = 0;
@@ -74,11 +72,9 @@ void add(double factor, const Region::Point& p, Region::Point& sum)
 }
 
 /// Each cluster slips as its pieces do.
-void findSlips(const std::vector<Region>& regions, const std::vector<Cluster>& pieces, std::vector<Cluster>& clusters)
+void findSlips(const std::vector<SectionPoint>& points, const std::vector<Cluster>& pieces,
+			   std::vector<Cluster>& clusters)
 {
-	std::vector<SectionPoint> points;
-	for (const Region& region : regions)
-		addPointsOf(region.moments(), points);
 	const std::vector<Slips> slips = slipsOf(points);
 	std::vector<double> areas(clusters.size(), 0.);
 	std::vector<size_t> owners;
@@ -108,15 +104,17 @@ std::vector<Cluster> clustersOf(const Region& region, int count)
 	std::vector<Region> regions;
 	region.cut(region.moments().m_area / btMax(LEAST_PIECES, PIECES_OF_A_CLUSTER * count), regions);
 	std::vector<Cluster> pieces;
+	std::vector<SectionPoint> points;
 	for (const Region& piece : regions)
 	{
 		const Region::Moments m = piece.moments();
-		pieces.push_back(clusterOf(m.m_y / m.m_area, m.m_z / m.m_area, m.m_area));
+		pieces.push_back({m.m_y / m.m_area, m.m_z / m.m_area, m.m_area});
+		addPointsOf(m, points);
 	}
 	std::vector<Cluster> clusters = spread(pieces, btMin(count, int(pieces.size())));
 	for (int round = 0; round < ROUNDS; ++round)
 	{
-		std::vector<Cluster> sums(clusters.size(), clusterOf(0, 0, 0));
+		std::vector<Cluster> sums(clusters.size(), {0, 0, 0});
 		for (const Cluster& piece : pieces)
 		{
 			Cluster& sum = sums[nearestTo(piece, clusters)];
@@ -127,10 +125,10 @@ std::vector<Cluster> clustersOf(const Region& region, int count)
 		clusters.clear();
 		for (const Cluster& sum : sums)
 			if (sum.m_area > 0)
-				clusters.push_back(clusterOf(sum.m_y / sum.m_area, sum.m_z / sum.m_area, sum.m_area));
+				clusters.push_back({sum.m_y / sum.m_area, sum.m_z / sum.m_area, sum.m_area});
 	}
 	arrange(clusters);
-	findSlips(regions, pieces, clusters);
+	findSlips(points, pieces, clusters);
 	return clusters;
 }
 }  // namespace btElasticPlastic

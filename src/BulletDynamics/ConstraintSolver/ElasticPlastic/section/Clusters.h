@@ -12,8 +12,8 @@ struct Cluster
 {
 	double m_y, m_z;  ///< its centroid
 	double m_area;
-	Slips m_slips;                           ///< means
-	double m_twistYY, m_twistYZ, m_twistZZ;  ///< means of the twist's slips' products
+	Slips m_slips = {};                                  ///< means
+	double m_twistYY = 0, m_twistYZ = 0, m_twistZZ = 0;  ///< means of the twist's slips' products
 };
 
 /// Cuts a figure into about equally large, compact clusters, by Lloyd's method: each has what is nearest to it. They stand in no rows, so that a

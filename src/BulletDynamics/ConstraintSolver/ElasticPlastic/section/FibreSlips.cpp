@@ -18,24 +18,20 @@ const int TURNS_ROUND = 50;
 /// What is symmetric has ties: nothing is turned round for what rounding makes of them.
 const double EVEN = 1e-9;
 
-/// Axis and size of the greater and of the lesser of two slips that stand for a sum of squares.
-struct Principal
-{
-	double m_axis[2];
-	double m_greater, m_lesser;
-};
+/// Of squares of slips.
+PrincipalMoments squaresOf(double yy, double yz, double zz) { return principalMoments({1, 0, 0, yy, zz, yz}); }
 
-Principal principalOf(double yy, double yz, double zz)
-{
-	const double turn = principalTurn({1, 0, 0, yy, zz, yz}), c = cos(turn), s = sin(turn), mixed = 2 * c * s * yz;
-	return {{c, s}, sqrt(btMax(0., c * c * yy + s * s * zz + mixed)), sqrt(btMax(0., s * s * yy + c * c * zz - mixed))};
-}
-
-/// How a cluster slips by shears.
-Principal shearOf(const Cluster& cluster)
+/// How a cluster slips by shears, squared.
+PrincipalMoments shearOf(const Cluster& cluster)
 {
 	const Region::Point &a = cluster.m_slips.m_alongY, &b = cluster.m_slips.m_alongZ;
-	return principalOf(a.m_y * a.m_y + b.m_y * b.m_y, a.m_y * a.m_z + b.m_y * b.m_z, a.m_z * a.m_z + b.m_z * b.m_z);
+	return squaresOf(a.m_y * a.m_y + b.m_y * b.m_y, a.m_y * a.m_z + b.m_y * b.m_z, a.m_z * a.m_z + b.m_z * b.m_z);
+}
+
+/// \param share  of what it slips along, which it slips across
+bool slipsAcrossLess(const PrincipalMoments& shear, double share)
+{
+	return sqrt(shear.m_lesser) < share * sqrt(shear.m_greater);
 }
 
 bool areWalls(const std::vector<Cluster>& clusters)
@@ -43,9 +39,8 @@ bool areWalls(const std::vector<Cluster>& clusters)
 	double walls = 0, all = 0;
 	for (const Cluster& cluster : clusters)
 	{
-		const Principal shear = shearOf(cluster);
 		all += cluster.m_area;
-		walls += shear.m_lesser < THIN * shear.m_greater ? cluster.m_area : 0;
+		walls += slipsAcrossLess(shearOf(cluster), THIN) ? cluster.m_area : 0;
 	}
 	return walls > all / 2;
 }
@@ -62,12 +57,12 @@ struct Variation
 		// Where four equal parts of what is spread evenly have their middles.
 		static const double levels[] = {0.433, -1.299, 1.299, -0.433, -0.433, 1.299, -1.299, 0.433};
 		const Region::Point& mean = cluster.m_slips.m_twist;
-		const Principal way =
-			principalOf(cluster.m_twistYY - mean.m_y * mean.m_y, cluster.m_twistYZ - mean.m_y * mean.m_z,
-						cluster.m_twistZZ - mean.m_z * mean.m_z);
+		const PrincipalMoments way =
+			squaresOf(cluster.m_twistYY - mean.m_y * mean.m_y, cluster.m_twistYZ - mean.m_y * mean.m_z,
+					  cluster.m_twistZZ - mean.m_z * mean.m_z);
 		for (int k = 0; k < 2; ++k)
 		{
-			m_slip[k] = levels[index % 8] * way.m_greater * way.m_axis[k];
+			m_slip[k] = levels[index % 8] * sqrt(way.m_greater) * way.m_axis[k];
 			m_sums[k] = cluster.m_area * m_slip[k];
 			m_sums[2 + k] = m_sums[k] * cluster.m_y;
 			m_sums[4 + k] = m_sums[k] * cluster.m_z;
@@ -126,8 +121,8 @@ std::vector<FibreSlip> fibreSlipsOf(const std::vector<Cluster>& clusters)
 		const Region::Point& mean = clusters[i].m_slips.m_twist;
 		const double* const varies = variations[i].m_slip;
 		FibreSlip slip = {{0, 0}, {mean.m_y + varies[0], mean.m_z + varies[1]}};
-		const Principal shear = shearOf(clusters[i]);
-		for (int k = 0; k < 2 && hasWalls && shear.m_lesser < WALL * shear.m_greater; ++k)
+		const PrincipalMoments shear = shearOf(clusters[i]);
+		for (int k = 0; k < 2 && hasWalls && slipsAcrossLess(shear, WALL); ++k)
 			slip.m_wall[k] = shear.m_axis[k];
 		slips.push_back(slip);
 	}

@@ -140,6 +140,14 @@ double principalTurn(const Region::Moments& centred)
 	return atan2(product, difference) / 2;
 }
 
+PrincipalMoments principalMoments(const Region::Moments& centred)
+{
+	const double turn = principalTurn(centred), c = cos(turn), s = sin(turn), mixed = 2 * c * s * centred.m_yz;
+	return {{c, s},
+			btMax(0., c * c * centred.m_yy + s * s * centred.m_zz + mixed),
+			btMax(0., s * s * centred.m_yy + c * c * centred.m_zz - mixed)};
+}
+
 double nearestPrincipalTurn(const Region::Moments& centred)
 {
 	const double turn = principalTurn(centred), eighth = atan2(1., 1.);

@@ -50,6 +50,15 @@ public:
 /// How far along y^2's largest second moment is turned from y, -pi/2 to pi/2.
 double principalTurn(const Region::Moments& centred);
 
+/// Second moments along the axis in which they are greatest, and across it; no less than 0.
+struct PrincipalMoments
+{
+	double m_axis[2];
+	double m_greater, m_lesser;
+};
+
+PrincipalMoments principalMoments(const Region::Moments& centred);
+
 /// That, or the other principal axis if it is nearer to y.
 double nearestPrincipalTurn(const Region::Moments& centred);
 

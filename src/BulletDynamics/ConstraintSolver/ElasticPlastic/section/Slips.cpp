@@ -231,10 +231,9 @@ private:
 
 void addPointsOf(const Region::Moments& piece, std::vector<SectionPoint>& points)
 {
-	const Region::Moments own = piece.centred();
-	const double turn = principalTurn(own), c = cos(turn), s = sin(turn), mixed = 2 * c * s * own.m_yz,
-				 along = sqrt(btMax(0., c * c * own.m_yy + s * s * own.m_zz + mixed) / own.m_area),
-				 across = sqrt(btMax(0., s * s * own.m_yy + c * c * own.m_zz - mixed) / own.m_area);
+	const PrincipalMoments own = principalMoments(piece.centred());
+	const double c = own.m_axis[0], s = own.m_axis[1], along = sqrt(own.m_greater / piece.m_area),
+				 across = sqrt(own.m_lesser / piece.m_area);
 	for (const double i : {-along, along})
 		for (const double k : {-across, across})
 			points.push_back(

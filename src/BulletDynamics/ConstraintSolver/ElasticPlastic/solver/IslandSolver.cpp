@@ -80,14 +80,8 @@ void IslandSolver::setSettings(const btElasticPlasticSolverSettings& settings)
 	m_direct.getSystem().setSettings(settings);
 }
 
-void IslandSolver::beginStep(bool isOneOfMany)
-{
-	m_isOneOfMany = isOneOfMany;
-	m_direct.getSystem().beginStep(isOneOfMany);
-}
-
 void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
-						 btDispatcher* dispatcher)
+						 btDispatcher* dispatcher, bool isInPool)
 {
 	m_island = island;
 	m_debugDrawer = debugDrawer;
@@ -98,7 +92,7 @@ void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& i
 	if (m_settings.m_form == BT_EP_DIRECT)
 	{
 		btElasticPlasticSolverSettings settings = m_settings;
-		if (m_isOneOfMany)
+		if (isInPool)
 			settings.m_maxInnerSteps = 0;
 		m_inner.solve(island, info, settings, m_statistics, *this);
 	}

@@ -25,16 +25,14 @@ public:
 
 	void setSettings(const btElasticPlasticSolverSettings& settings);
 
-	/// Ages the plans and factors that are kept from step to step. \param isOneOfMany  see LinearSolver::beginStep; there are no inner
-	/// steps then, which move bodies on which islands of other threads may stand
-	void beginStep(bool isOneOfMany);
-	/// From now to the next beginStep() it is one of many, whatever it was.
-	void endStep() { m_isOneOfMany = true; }
+	/// Ages the plans and factors that are kept from step to step. \param isOneOfMany  see LinearSolver::beginStep
+	void beginStep(bool isOneOfMany) { m_direct.getSystem().beginStep(isOneOfMany); }
 
 	/// Solves an island with elastic-plastic joints, in the direct form in as many inner steps as it needs; with the iterative form it
 	/// may be several islands.
+	/// \param isInPool  there are no inner steps: they move bodies on which islands of other threads may stand
 	void solve(const SolverGroup& island, const btContactSolverInfo& info, btIDebugDraw* debugDrawer,
-			   btDispatcher* dispatcher);
+			   btDispatcher* dispatcher, bool isInPool);
 
 	/// Summed over all solutions; the caller may reset them.
 	btElasticPlasticStatistics& getStatistics() { return m_statistics; }
@@ -70,8 +68,7 @@ private:
 	SolverGroup m_island;                   ///< at work
 	btIDebugDraw* m_debugDrawer = nullptr;  ///< of the caller
 	btDispatcher* m_dispatcher = nullptr;
-	btScalar m_share = 1;  ///< of the world's step that is being solved
-	bool m_isOneOfMany = true;
+	btScalar m_share = 1;                               ///< of the world's step that is being solved
 	bool m_sweepsContacts = false;                      ///< of the island at work
 	btAlignedObjectArray<btTypedConstraint*> m_others;  ///< the island's constraints that have rows in Bullet's pool
 	btAlignedObjectArray<JointWorks*> m_otherJoints;  ///< the works of m_others, null where one is not elastic-plastic

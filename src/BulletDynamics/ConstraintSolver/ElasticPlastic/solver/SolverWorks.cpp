@@ -84,13 +84,6 @@ void SolverWorks::beginStep()
 		solver->beginStep(false);
 }
 
-void SolverWorks::endStep()
-{
-	m_isInPool = true;
-	for (const auto& solver : m_solvers)
-		solver->endStep();
-}
-
 /// A pool does not tell its solvers of steps, but the time of the joints' action does.
 void SolverWorks::beginStepInPool()
 {
@@ -129,7 +122,7 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 	group.m_joints = &m_joints[0];
 	if (m_settings.m_form == BT_EP_ITERATIVE)
 	{
-		m_solvers[0]->solve(group, info, debugDrawer, dispatcher);
+		m_solvers[0]->solve(group, info, debugDrawer, dispatcher, m_isInPool);
 		return SolverGroup();
 	}
 	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::areAsked(m_settings) &&
@@ -169,7 +162,7 @@ void SolverWorks::solveIslands(const btContactSolverInfo& info, btIDebugDraw* de
 		if (m_pool && isForAnyThread(island))
 			m_sharedIslands.push_back(i);
 		else
-			m_solvers[0]->solve(island, info, debugDrawer, dispatcher);
+			m_solvers[0]->solve(island, info, debugDrawer, dispatcher, m_isInPool);
 	}
 	solveShared(info, dispatcher);
 }
@@ -188,7 +181,7 @@ struct SolverWorks::SharedIslands : WorkerPool::Task
 	void run(int index, int worker) override
 	{
 		const SolverGroup island = m_works.m_islands.getIsland(m_works.m_sharedIslands[size_t(index)]);
-		m_works.m_solvers[size_t(worker)]->solve(island, m_info, nullptr, m_dispatcher);
+		m_works.m_solvers[size_t(worker)]->solve(island, m_info, nullptr, m_dispatcher, m_works.m_isInPool);
 	}
 };
 

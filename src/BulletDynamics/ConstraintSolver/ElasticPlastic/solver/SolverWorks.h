@@ -31,7 +31,7 @@ public:
 	/// The world begins and ends a step. A solver that it does not tell so is one of a pool, as in btConstraintSolverPoolMt: any of the
 	/// pool's solvers gets an island in the next step, at the same time as others get others.
 	void beginStep();
-	void endStep();
+	void endStep() { m_isInPool = true; }
 
 	/// Of the step of a control that has chosen the present substep's length, the share that it is; 1: there is none.
 	btScalar getSubstepShare() const { return m_substepShare ? *m_substepShare : btScalar(1); }
