@@ -25,7 +25,7 @@ const int CALM_WORLD_STEPS = 6;
 /// They need not be more than have so many inner steps.
 const int ENOUGH_CALM_INNER_STEPS = 192;
 /// The same of inner steps before those to come within the step become twice as long: of a swing that they resolve it is more than one.
-const int CALM_RUN = 16;
+const int CALM_RUN = 32;
 /// After so many times the number they do whatever the moment.
 const int CALM_PATIENCE = 4;
 /// Below this share of the error allowed an inner step of a run has left little open: what each of many leaves adds up.
