@@ -12,49 +12,15 @@
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
 #include "support/Close.h"
+#include "support/Corners.h"
 #include "support/SectionCells.h"
 
 namespace testSectionShapes
 {
 typedef btElasticPlasticSection Section;
-typedef std::vector<btElasticPlasticSectionPoint> Corners;
 
 /// What is computed in double from numbers of the precision, and rounded once.
 const double ROUNDED = byPrecision(1e-9, 2e-6);
-
-Section polygon(const std::vector<Corners>& outlines)
-{
-	Corners all;
-	std::vector<int> counts;
-	for (const Corners& outline : outlines)
-	{
-		all.insert(all.end(), outline.begin(), outline.end());
-		counts.push_back(int(outline.size()));
-	}
-	return Section::polygon(all.data(), counts.data(), int(counts.size()));
-}
-
-btElasticPlasticSectionPoint at(double y, double z) { return {btScalar(y), btScalar(z)}; }
-
-/// With its centre at (y, z), turned by an angle.
-Corners rectangle(double height, double width, double y = 0, double z = 0, double turn = 0)
-{
-	Corners corners;
-	for (int i = 0; i < 4; ++i)
-	{
-		const double u = (i == 1 || i == 2 ? 0.5 : -0.5) * height, v = (i < 2 ? -0.5 : 0.5) * width;
-		corners.push_back(at(y + u * std::cos(turn) - v * std::sin(turn), z + u * std::sin(turn) + v * std::cos(turn)));
-	}
-	return corners;
-}
-
-Corners circle(double radius, int count)
-{
-	Corners corners;
-	for (int i = 0; i < count; ++i)
-		corners.push_back(at(radius * std::cos(2 * M_PI * i / count), radius * std::sin(2 * M_PI * i / count)));
-	return corners;
-}
 
 TEST(SectionShapes, ARectangleByItsCorners)
 {
@@ -88,7 +54,8 @@ TEST(SectionShapes, ARectangleByItsCorners)
 			const btVector3 corner = s.principalFrame() * btVector3(0, s.m_corners[0].m_y, s.m_corners[0].m_z);
 			double nearest = 1;
 			for (const auto& drawn : corners)
-				nearest = std::min(nearest, double((corner - btVector3(0, drawn.m_y, drawn.m_z)).length()));
+				nearest =
+					std::min(nearest, double((corner - btVector3(0, btScalar(drawn[0]), btScalar(drawn[1]))).length()));
 			EXPECT_NEAR(0, nearest, 10 * ROUNDED);
 		}
 }
@@ -110,6 +77,12 @@ TEST(SectionShapes, RoundAndHollowOnesByTheirCorners)
 	expectClose(tube.m_plasticModulus[0], hollow.m_plasticModulus[0], 0.004);
 	expectClose(tube.m_torsionConstant, hollow.m_torsionConstant, 0.01);
 	expectClose(tube.m_plasticTorsionModulus, hollow.m_plasticTorsionModulus, 0.01);
+	// Nothing is stiffer than by its polar moment, whatever its corners.
+	for (const double inner : {0.05, 0.2, 0.8})
+	{
+		const Section ring = polygon({circle(1, 100), circle(inner, 100)});
+		EXPECT_LE(ring.m_torsionConstant, (ring.m_secondMoment[0] + ring.m_secondMoment[1]) * (1 + ROUNDED)) << inner;
+	}
 	const Section box = Section::hollowRectangle(1, 2, btScalar(0.02)),
 				  walls = polygon({rectangle(2, 1), rectangle(1.96, 0.96)});
 	expectClose(box.m_area, walls.m_area, ROUNDED * 10);
@@ -150,8 +123,14 @@ TEST(SectionShapes, TSection)
 	expectClose(b / 2, s.m_outerFibre[1], ROUNDED);
 	expectClose((b * tf * tf * tf + (h - tf) * tw * tw * tw) / 3, s.m_torsionConstant, ROUNDED);
 	// By the whole heap, which has a fillet more where the web stands on the flange.
-	const Section whole = polygon({{at(0, b / 2), at(-tf, b / 2), at(-tf, tw / 2), at(-h, tw / 2), at(-h, -tw / 2),
-									at(-tf, -tw / 2), at(-tf, -b / 2), at(0, -b / 2)}});
+	const Section whole = polygon({{{0, b / 2},
+									{-tf, b / 2},
+									{-tf, tw / 2},
+									{-h, tw / 2},
+									{-h, -tw / 2},
+									{-tf, -tw / 2},
+									{-tf, -b / 2},
+									{0, -b / 2}}});
 	expectClose(whole.m_plasticTorsionModulus, s.m_plasticTorsionModulus, 0.03);
 	// The sum over walls takes nothing off for their ends, and adds nothing where they meet.
 	expectClose(whole.m_torsionConstant, s.m_torsionConstant, 0.04);
@@ -230,9 +209,7 @@ TEST(SectionShapes, Angle)
 TEST(SectionShapes, SoFlatThatTheyRoundToNothingAreRefused)
 {
 	// A square with a spike so long that rounding leaves all of it on one side of a cut through its middle, and a small one far away.
-	const auto spiked = [](double y, double z) {
-		return polygon({{at(0, 0), at(0.1, 0), at(0.1, 0.1), at(0, 0.1), at(y, z)}});
-	};
+	const auto spiked = [](double y, double z) { return polygon({{{0, 0}, {0.1, 0}, {0.1, 0.1}, {0, 0.1}, {y, z}}}); };
 	const double spikes[][2] = {{-0.05, 1e6}, {-1, 3e5}, {-1, 1e12}, {-0.05, -1e9}, {-1e-12, 1e6}, {-1e-30, 1e12}};
 	for (const auto& spike : spikes)
 		EXPECT_TRUE(spiked(spike[0], spike[1]).m_fault) << spike[0] << ", " << spike[1];
@@ -353,16 +330,14 @@ std::vector<Shape> shapes()
 			{"angle", Section::angle(btScalar(0.1), btScalar(0.1), btScalar(0.01)), 100},
 			{"unequal angle", Section::angle(btScalar(0.075), btScalar(0.15), btScalar(0.01)), 100},
 			{"rectangle", polygon({rectangle(2, 1)}), 100},
-			{"triangle", polygon({{at(0, 0), at(0, 1), at(1, 0)}}), 100},
+			{"triangle", polygon({{{0, 0}, {0, 1}, {1, 0}}}), 100},
 			{"hexagon", polygon({circle(1, 6)}), 100},
 			{"trapezium with a hole",
-			 polygon({{at(0, 0), at(0, 3), at(2, 2.5), at(2, 0.5)},
-					  {at(0.4, 0.7), at(1.6, 0.8), at(1.6, 2.2), at(0.4, 2.3)}}),
-			 100},
+			 polygon({{{0, 0}, {0, 3}, {2, 2.5}, {2, 0.5}}, {{0.4, 0.7}, {1.6, 0.8}, {1.6, 2.2}, {0.4, 2.3}}}), 100},
 			{"two cells",
-			 polygon({{at(0, 0), at(0, 8), at(2, 10), at(2, -2)},
-					  {at(0.3, 0.5), at(1.7, 0.2), at(1.7, 3.8), at(0.3, 3.8)},
-					  {at(0.3, 4.2), at(1.7, 4.2), at(1.7, 7.8), at(0.3, 7.5)}}),
+			 polygon({{{0, 0}, {0, 8}, {2, 10}, {2, -2}},
+					  {{0.3, 0.5}, {1.7, 0.2}, {1.7, 3.8}, {0.3, 3.8}},
+					  {{0.3, 4.2}, {1.7, 4.2}, {1.7, 7.8}, {0.3, 7.5}}}),
 			 200}};
 }
 
@@ -375,6 +350,22 @@ TEST(SectionShapes, FibresBearWhatTheSectionBearsInAllDirections)
 		EXPECT_LE(deviation(shape.m_section, 0), 0.03) << shape.m_name;
 		EXPECT_LE(deviation(shape.m_section, shape.m_fine), 0.01) << shape.m_name;
 	}
+}
+
+TEST(SectionShapes, FibresOfADrawnSheetBearWhatItBears)
+{
+	// As well as a square, which differs from it by nothing but units along its two sides. Measured: 23 % (by four, as other rectangles), 11, 1.3 and 0.6 %.
+	for (const double thickness : {0.25, 0.1, 0.03, 0.01, 0.001})
+		for (const double turn : {0., 0.5})
+			for (const int count : {4, 9, 36, 100})
+			{
+				const Section sheet = polygon({rectangle(1, thickness, 3, 0, turn)});
+				ASSERT_FALSE(sheet.m_fault);
+				EXPECT_LE(deviation(sheet, count), count < 36    ? 0.25
+												   : count < 100 ? 0.03
+																 : 0.01)
+					<< thickness << ", turned by " << turn << ", " << count << " fibres";
+			}
 }
 
 TEST(SectionShapes, FibresSpringAsTheSectionDoes)
@@ -521,13 +512,13 @@ TEST(SectionShapes, TellWhatIsWrong)
 	const Corners square = rectangle(1, 1);
 	const auto quantity = [](const Section& s)
 	{ return std::string(s.m_fault.m_quantity ? s.m_fault.m_quantity : ""); };
-	EXPECT_EQ("number of corners of an outline", quantity(polygon({{at(0, 0), at(1, 0)}})));
+	EXPECT_EQ("number of corners of an outline", quantity(polygon({{{0, 0}, {1, 0}}})));
 	EXPECT_EQ("number of corners of an outline", quantity(polygon({circle(1, 1001)})));
-	EXPECT_EQ("number of outlines of a section", quantity(Section::polygon(square.data(), nullptr, 0)));
-	EXPECT_EQ("corner of a section, y + z [m]", quantity(polygon({{at(0, 0), at(1, NAN), at(1, 1)}})));
-	EXPECT_EQ("area in an outline of a section [m^2]", quantity(polygon({{at(0, 0), at(1, 1), at(2, 2)}})));
+	EXPECT_EQ("number of outlines of a section", quantity(Section::polygon(nullptr, nullptr, 0)));
+	EXPECT_EQ("corner of a section, y + z [m]", quantity(polygon({{{0, 0}, {1, NAN}, {1, 1}}})));
+	EXPECT_EQ("area in an outline of a section [m^2]", quantity(polygon({{{0, 0}, {1, 1}, {2, 2}}})));
 	const std::string meet = "number of places where outlines of a section meet";
-	EXPECT_EQ(meet, quantity(polygon({{at(0, 0), at(1, 1), at(1, 0), at(0, 2)}})));
+	EXPECT_EQ(meet, quantity(polygon({{{0, 0}, {1, 1}, {1, 0}, {0, 2}}})));
 	EXPECT_EQ(meet, quantity(polygon({square, rectangle(0.5, 0.5, 0.4)})));
 	EXPECT_EQ(meet, quantity(polygon({square, rectangle(0.5, 0.5, 0.25)})));
 	const std::string hole = "number of a section's hole";

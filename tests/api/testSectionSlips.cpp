@@ -5,31 +5,16 @@
 
 #include <math.h>
 
-#include <array>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/section/Slips.h"
+#include "support/Corners.h"
 
 namespace testSectionSlips
 {
 using namespace btElasticPlastic;
-
-typedef std::vector<std::array<double, 2>> Corners;
-
-Corners rectangle(double height, double width)
-{
-	return {{height / 2, width / 2}, {-height / 2, width / 2}, {-height / 2, -width / 2}, {height / 2, -width / 2}};
-}
-
-Corners circle(double radius)
-{
-	Corners corners;
-	for (int i = 0; i < 100; ++i)
-		corners.push_back({radius * cos(2 * M_PI * i / 100), radius * sin(2 * M_PI * i / 100)});
-	return corners;
-}
 
 /// Integrals of the squares of the slips along y, along z and by a twist.
 struct Energies
@@ -82,8 +67,8 @@ TEST(SectionSlips, OfATwistHaveTheTorsionConstant)
 					{"1 : 2", {rectangle(2, 1)}, 2 * 0.228682, 0.01},
 					{"1 : 5", {rectangle(5, 1)}, 5 * 0.291317, 0.01},
 					{"equilateral", {{{0, 0}, {0, 1}, {root / 2, 0.5}}}, root / 80, 0.005},
-					{"circle", {circle(1)}, M_PI / 2, 0.005},
-					{"tube", {circle(1), circle(0.9)}, M_PI / 2 * (1 - pow(0.9, 4)), 0.01},
+					{"circle", {circle(1, 100)}, M_PI / 2, 0.005},
+					{"tube", {circle(1, 100), circle(0.9, 100)}, M_PI / 2 * (1 - pow(0.9, 4)), 0.01},
 					// Bredt, and the walls by themselves. A cell of the grid is six walls wide at the corners.
 					{"box",
 					 {rectangle(2, 1), rectangle(1.96, 0.96)},

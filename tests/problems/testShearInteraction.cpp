@@ -11,6 +11,7 @@
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/section/Slips.h"
 #include "support/Close.h"
+#include "support/Corners.h"
 #include "support/DirectSolver.h"
 #include "support/SectionSurface.h"
 #include "world/Place.h"
@@ -295,41 +296,25 @@ btElasticPlasticSection drawn(const btElasticPlasticSection& section)
 std::vector<Shape> polygons()
 {
 	typedef btElasticPlasticSection Section;
-	typedef std::vector<std::array<double, 2>> Outline;
-	const auto polygon = [](const std::vector<Outline>& outlines)
-	{
-		std::vector<btElasticPlasticSectionPoint> corners;
-		std::vector<int> counts;
-		for (const Outline& outline : outlines)
-		{
-			counts.push_back(int(outline.size()));
-			for (const auto& corner : outline)
-				corners.push_back({btScalar(0.1 * corner[0]), btScalar(0.1 * corner[1])});
-		}
-		return Section::polygon(corners.data(), counts.data(), int(counts.size()));
-	};
-	const auto rectangle = [](double h, double b) {
-		return Outline{{h / 2, b / 2}, {-h / 2, b / 2}, {-h / 2, -b / 2}, {h / 2, -b / 2}};
-	};
-	Outline hexagon;
-	for (int i = 0; i < 6; ++i)
-		hexagon.push_back({std::cos(i * PI / 3), std::sin(i * PI / 3)});
+	const double unit = 0.1;
 	std::vector<Shape> shapes = {
-		{"rectangle 1 : 2", solidRectangle(0.1, 0.2), polygon({rectangle(2, 1)}).withFibres()},
-		{"rectangle 1 : 5", solidRectangle(0.1, 0.5), polygon({rectangle(5, 1)}).withFibres()}};
+		{"rectangle 1 : 2", solidRectangle(0.1, 0.2), polygon({rectangle(2, 1)}, unit).withFibres()},
+		{"rectangle 1 : 5", solidRectangle(0.1, 0.5), polygon({rectangle(5, 1)}, unit).withFibres()},
+		{"flat bar 1 : 15", solidRectangle(0.1, 1.5), polygon({rectangle(15, 1)}, unit).withFibres()}};
 	const auto add = [&](const char* name, const Section& section, bool hasWalls) {
 		shapes.push_back({name, finePolygon(section, hasWalls), section.withFibres()});
 	};
-	add("triangle", polygon({{{0, 0}, {0, 1}, {1, 0}}}), false);
-	add("hexagon", polygon({hexagon}), false);
-	add("stout L", polygon({{{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}}}), false);
-	add("box", polygon({rectangle(2, 1), rectangle(1.88, 0.88)}), true);
+	add("triangle", polygon({{{0, 0}, {0, 1}, {1, 0}}}, unit), false);
+	add("hexagon", polygon({circle(1, 6)}, unit), false);
+	add("stout L", polygon({{{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}}}, unit), false);
+	add("box", polygon({rectangle(2, 1), rectangle(1.88, 0.88)}, unit), true);
 	add("trapezium with a hole",
-		polygon({{{0, 0}, {0, 3}, {2, 2.5}, {2, 0.5}}, {{0.4, 0.7}, {1.6, 0.8}, {1.6, 2.2}, {0.4, 2.3}}}), true);
+		polygon({{{0, 0}, {0, 3}, {2, 2.5}, {2, 0.5}}, {{0.4, 0.7}, {1.6, 0.8}, {1.6, 2.2}, {0.4, 2.3}}}, unit), true);
 	add("two cells",
 		polygon({{{0, 0}, {0, 8}, {2, 10}, {2, -2}},
 				 {{0.3, 0.5}, {1.7, 0.2}, {1.7, 3.8}, {0.3, 3.8}},
-				 {{0.3, 4.2}, {1.7, 4.2}, {1.7, 7.8}, {0.3, 7.5}}}),
+				 {{0.3, 4.2}, {1.7, 4.2}, {1.7, 7.8}, {0.3, 7.5}}},
+				unit),
 		true);
 	for (const Shape& walls : openShapes())
 		add(walls.m_name, drawn(walls.m_section), true);

@@ -3,6 +3,8 @@
 
 #include "Clusters.h"
 
+#include <math.h>
+
 #include "LinearMath/btMinMax.h"
 
 namespace btElasticPlastic
@@ -10,6 +12,8 @@ namespace btElasticPlastic
 namespace
 {
 const int LEAST_PIECES = 1000, PIECES_OF_A_CLUSTER = 30, ROUNDS = 40;
+/// Of the area of a rectangle that has a figure's radii of gyration, from which it is a solid one: a triangle has 0.87, thin walls a fifth.
+const double SOLID = 0.5;
 /// What is symmetric has ties. The first one is taken, and not what a compiler's rounding makes of them.
 const double TIE = 1e-9;
 
@@ -44,9 +48,15 @@ std::vector<Cluster> spread(const std::vector<Cluster>& pieces, int count)
 size_t nearestTo(const Cluster& piece, const std::vector<Cluster>& clusters)
 {
 	size_t nearest = 0;
+	double least = distance2(piece, clusters[0]);
 	for (size_t i = 1; i < clusters.size(); ++i)
-		if (distance2(piece, clusters[i]) < distance2(piece, clusters[nearest]) * (1 - TIE))
-			nearest = i;
+	{
+		const double away = distance2(piece, clusters[i]);
+		if (!(away < least * (1 - TIE)))
+			continue;
+		nearest = i;
+		least = away;
+	}
 	return nearest;
 }
 
@@ -72,23 +82,20 @@ void add(double factor, const Region::Point& p, Region::Point& sum)
 }
 
 /// Each cluster slips as its pieces do.
-void findSlips(const std::vector<SectionPoint>& points, const std::vector<Cluster>& pieces,
+/// \param owners  of pieces
+void findSlips(const std::vector<SectionPoint>& points, const std::vector<size_t>& owners,
 			   std::vector<Cluster>& clusters)
 {
 	const std::vector<Slips> slips = slipsOf(points);
 	std::vector<double> areas(clusters.size(), 0.);
-	std::vector<size_t> owners;
-	for (const Cluster& piece : pieces)
-	{
-		owners.push_back(nearestTo(piece, clusters));
-		areas[owners.back()] += piece.m_area;
-	}
+	for (size_t i = 0; i < points.size(); ++i)
+		areas[owners[i / POINTS_OF_A_PIECE]] += points[i].m_area;
 	for (size_t i = 0; i < points.size(); ++i)
 	{
 		const size_t owner = owners[i / POINTS_OF_A_PIECE];
+		Cluster& cluster = clusters[owner];
 		const double share = points[i].m_area / areas[owner];
 		const Region::Point& twist = slips[i].m_twist;
-		Cluster& cluster = clusters[owner];
 		add(share, slips[i].m_alongY, cluster.m_slips.m_alongY);
 		add(share, slips[i].m_alongZ, cluster.m_slips.m_alongZ);
 		add(share, twist, cluster.m_slips.m_twist);
@@ -97,20 +104,21 @@ void findSlips(const std::vector<SectionPoint>& points, const std::vector<Cluste
 		cluster.m_twistZZ += share * twist.m_z * twist.m_z;
 	}
 }
-}  // namespace
 
-std::vector<Cluster> clustersOf(const Region& region, int count)
+/// By which distances between clusters are measured along y and z: of what is solid by its radii of gyration, so that clusters tell as much of axial force and
+/// bending in a thin sheet as in a square. Walls have clusters that are compact.
+void findUnits(const Region::Moments& all, double& y, double& z)
 {
-	std::vector<Region> regions;
-	region.cut(region.moments().m_area / btMax(LEAST_PIECES, PIECES_OF_A_CLUSTER * count), regions);
-	std::vector<Cluster> pieces;
-	std::vector<SectionPoint> points;
-	for (const Region& piece : regions)
-	{
-		const Region::Moments m = piece.moments();
-		pieces.push_back({m.m_y / m.m_area, m.m_z / m.m_area, m.m_area});
-		addPointsOf(m, points);
-	}
+	const double gyrationY = sqrt(all.m_yy / all.m_area), gyrationZ = sqrt(all.m_zz / all.m_area);
+	if (all.m_area < SOLID * 12 * gyrationY * gyrationZ)
+		return;
+	y = gyrationY;
+	z = gyrationZ;
+}
+
+/// By Lloyd's method.
+std::vector<Cluster> gather(const std::vector<Cluster>& pieces, int count)
+{
 	std::vector<Cluster> clusters = spread(pieces, btMin(count, int(pieces.size())));
 	for (int round = 0; round < ROUNDS; ++round)
 	{
@@ -128,7 +136,35 @@ std::vector<Cluster> clustersOf(const Region& region, int count)
 				clusters.push_back({sum.m_y / sum.m_area, sum.m_z / sum.m_area, sum.m_area});
 	}
 	arrange(clusters);
-	findSlips(points, pieces, clusters);
+	return clusters;
+}
+}  // namespace
+
+std::vector<Cluster> clustersOf(const Region& region, int count)
+{
+	const Region::Moments all = region.moments();
+	double y = 1, z = 1;
+	findUnits(all, y, z);
+	std::vector<Region> regions;
+	region.stretched(1 / y, 1 / z)
+		.cut(all.m_area / (y * z) / btMax(LEAST_PIECES, PIECES_OF_A_CLUSTER * count), regions);
+	std::vector<Cluster> pieces;
+	std::vector<SectionPoint> points;
+	for (const Region& piece : regions)
+	{
+		const Region::Moments m = piece.moments();
+		pieces.push_back({m.m_y / m.m_area, m.m_z / m.m_area, m.m_area});
+		addPointsOf(m, points);
+	}
+	std::vector<Cluster> clusters = gather(pieces, count);
+	std::vector<size_t> owners;
+	for (const Cluster& piece : pieces)
+		owners.push_back(nearestTo(piece, clusters));
+	for (Cluster& cluster : clusters)
+		cluster = {y * cluster.m_y, z * cluster.m_z, y * z * cluster.m_area};
+	for (SectionPoint& p : points)
+		p = {y * p.m_y, z * p.m_z, y * z * p.m_area};
+	findSlips(points, owners, clusters);
 	return clusters;
 }
 }  // namespace btElasticPlastic

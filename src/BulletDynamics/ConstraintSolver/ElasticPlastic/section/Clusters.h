@@ -16,9 +16,10 @@ struct Cluster
 	double m_twistYY = 0, m_twistYZ = 0, m_twistZZ = 0;  ///< means of the twist's slips' products
 };
 
-/// Cuts a figure into about equally large, compact clusters, by Lloyd's method: each has what is nearest to it. They stand in no rows, so that a
+/// Cuts a figure into about equally large clusters, by Lloyd's method: each has what is nearest to it. They stand in no rows, so that a
 /// straight line cuts few of them at a time; what lies on a line is what a bundle of fibres bears too little of.
 /// Each one next to the one before, as far as they go.
+/// \param region  of which y and z are principal axes with their origin at the centroid
 std::vector<Cluster> clustersOf(const Region& region, int count);
 }  // namespace btElasticPlastic
 

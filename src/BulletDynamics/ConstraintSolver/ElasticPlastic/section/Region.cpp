@@ -130,6 +130,15 @@ Region Region::seenFrom(double y, double z, double turn) const
 	return seen;
 }
 
+Region Region::stretched(double y, double z) const
+{
+	Region stretched = *this;
+	for (Outline& outline : stretched.m_outlines)
+		for (Point& p : outline)
+			p = {y * p.m_y, z * p.m_z};
+	return stretched;
+}
+
 double principalTurn(const Region::Moments& centred)
 {
 	const double difference = centred.m_yy - centred.m_zz, product = 2 * centred.m_yz,

@@ -44,6 +44,9 @@ public:
 	/// The same by axes with their origin at (y, z), turned by an angle about x.
 	Region seenFrom(double y, double z, double turn) const;
 
+	/// Stretched along y and along z, by factors > 0.
+	Region stretched(double y, double z) const;
+
 	std::vector<Outline> m_outlines;
 };
 

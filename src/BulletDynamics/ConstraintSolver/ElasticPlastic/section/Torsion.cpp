@@ -138,6 +138,9 @@ Torsion torsionOf(const Region& region)
 			constant += 4. / 3 * (inner * inner + inner * within + within * within) * step * step / inLevel[k];
 	}
 	const double above = constantOfSlips(points);
-	return {above > ALIKE * constant && above < APART * constant ? above : constant, 2 * volume};
+	const bool isAbove = above > ALIKE * constant && above < APART * constant;
+	// Nothing is stiffer than if it did not warp, as circles do not.
+	const Region::Moments all = region.moments().centred();
+	return {btMin(isAbove ? above : constant, all.m_yy + all.m_zz), 2 * volume};
 }
 }  // namespace btElasticPlastic
