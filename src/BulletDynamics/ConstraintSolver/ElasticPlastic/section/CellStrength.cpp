@@ -18,6 +18,12 @@ double armOf(const Cell& cell, int force)
 	return force == AXIAL_FORCE ? 1 : force == MOMENT_Y ? cell.m_z : -cell.m_y;
 }
 
+/// With what a cell bears a stretch, stretched by it or pressed. Of what is neither, any force between counts; of a section that is symmetric the middle of them leaves nothing.
+double boundOf(const Cell& cell, double stretch)
+{
+	return stretch > 0 ? cell.m_tension : stretch < 0 ? -cell.m_compression : (cell.m_tension - cell.m_compression) / 2;
+}
+
 /// In one direction of the force.
 double strengthInDirection(const std::vector<Cell>& cells, int force, double sign)
 {
@@ -25,7 +31,7 @@ double strengthInDirection(const std::vector<Cell>& cells, int force, double sig
 	double size[3] = {}, slope[2] = {}, alone = 0, reach[2] = {};
 	for (const Cell& cell : cells)
 	{
-		const double stretch = sign * armOf(cell, force), bound = stretch > 0 ? cell.m_tension : -cell.m_compression;
+		const double stretch = sign * armOf(cell, force), bound = boundOf(cell, stretch);
 		alone += bound * stretch;
 		for (int k = 0; k < 2; ++k)
 			slope[k] += bound * armOf(cell, others[k]);
@@ -50,7 +56,7 @@ double strengthInDirection(const std::vector<Cell>& cells, int force, double sig
 		{
 			const double stretch =
 				sign * armOf(cell, force) + first * armOf(cell, others[0]) + second * armOf(cell, others[1]);
-			sum += stretch * (stretch > 0 ? cell.m_tension : -cell.m_compression);
+			sum += stretch * boundOf(cell, stretch);
 		}
 		return sum;
 	};
