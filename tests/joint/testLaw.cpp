@@ -41,10 +41,9 @@ struct Swing
 	void step(double dt)
 	{
 		const MaterialDamping damping{btScalar(m_ratio), btScalar(dt)};
-		const DofState s = {btScalar(m_stiffness),   btScalar(1e30),
-							btScalar(m_strain),      btScalar(m_force + m_carried),
-							btScalar(m_rate),        {btScalar(m_applied[0]), btScalar(m_applied[1])},
-							damping.getStiffening(), damping.carried(m_branch, 0, btScalar(m_force))};
+		DofState s = {btScalar(m_stiffness), btScalar(1e30),   btScalar(m_strain),
+					  btScalar(m_force),     btScalar(m_rate), {btScalar(m_applied[0]), btScalar(m_applied[1])}};
+		damping.addTo(s, m_branch, 0);
 		const btScalar diagonal = btScalar(1 / m_mass), length = btScalar(dt), last = btScalar(m_last),
 					   a = btScalar(m_stiffness * dt * dt / m_mass);
 		const MeanForce mean = m_row == BY_ROW ? MeanForce::byRow(a, length, last) : MeanForce::byMode(length, last);

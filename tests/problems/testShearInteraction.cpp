@@ -398,9 +398,16 @@ std::pair<double, double> sharesBorne(const SectionSurface& exact, const btElast
 	return {least, most};
 }
 
+/// Of a bar that is fifteen times as deep, yield is so small a turn that float would round the rate at which it comes.
+double stifferOf(const Shape& shape)
+{
+	return inPrecision(100, shape.m_name == std::string("flat bar 1 : 15") ? 3 : 10);
+}
+
 void expectRight(const Shape& shape, int directions)
 {
-	const std::pair<double, double> shares = sharesBorne(shape.m_exact, capacityOf(shape.m_section), directions, true);
+	const std::pair<double, double> shares =
+		sharesBorne(shape.m_exact, capacityOf(shape.m_section, stifferOf(shape)), directions, true);
 	// The bound that such sections are asked to keep.
 	EXPECT_GT(shares.first, 1 - 0.08) << shape.m_name;
 	EXPECT_LT(shares.second, 1 + 0.08) << shape.m_name;
@@ -411,7 +418,7 @@ void expectRight(Shape shape, double tension, int directions)
 {
 	shape.m_exact.m_tension = tension;
 	const std::pair<double, double> shares =
-		sharesBorne(shape.m_exact, capacityOf(shape.m_section, inPrecision(100, 10), tension), directions, false);
+		sharesBorne(shape.m_exact, capacityOf(shape.m_section, stifferOf(shape), tension), directions, false);
 	// 0.945 to 1.065 measured in 2000 directions with 0.3 and 0.6.
 	EXPECT_GT(shares.first, 1 - 0.08) << shape.m_name << ", " << tension;
 	EXPECT_LT(shares.second, 1 + 0.08) << shape.m_name << ", " << tension;

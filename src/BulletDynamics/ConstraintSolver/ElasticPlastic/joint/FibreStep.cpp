@@ -30,11 +30,14 @@ bool isFree(const btRigidBody& body)
 
 namespace
 {
-btScalar elongationOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
-					  const btScalar strain[BT_EP_DOF_COUNT])
+/// By a value of its own, which loops over fibres keep in registers.
+SectionPlaneOf<btScalar> planeOf(const btScalar strain[BT_EP_DOF_COUNT])
 {
-	return strain[BT_EP_AXIAL] + fibre.m_z * strain[BT_EP_BENDING_Y] - fibre.m_y * strain[BT_EP_BENDING_Z] -
-		   state.m_offset;
+	SectionPlaneOf<btScalar> plane;
+	plane.m_elongation = strain[BT_EP_AXIAL];
+	plane.m_turnY = strain[BT_EP_BENDING_Y];
+	plane.m_turnZ = strain[BT_EP_BENDING_Z];
+	return plane;
 }
 
 template <class T>
@@ -54,9 +57,9 @@ void FibreStep::prefetch() const
 
 /// Without a yield value: a fibre has two. \param damped  null: none
 DofState FibreStep::stateOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
-							const Damped* damped, btScalar stiffening, const btScalar strain[BT_EP_DOF_COUNT])
+							const Damped* damped, btScalar stiffening, const SectionPlaneOf<btScalar>& plane)
 {
-	DofState s = {fibre.m_stiffness, 0, elongationOf(fibre, state, strain), state.m_force, state.m_forceRate, {}};
+	DofState s = {fibre.m_stiffness, 0, plane.at(fibre) - state.m_offset, state.m_force, state.m_forceRate, {}};
 	if (damped)
 	{
 		s.m_stiffening = stiffening;
@@ -69,7 +72,7 @@ DofState FibreStep::stateOf(const JointModel::BearingFibre& fibre, const btElast
 DofState FibreStep::stateOf(int i, const btScalar strain[BT_EP_DOF_COUNT]) const
 {
 	return stateOf(m_model.m_bearing[i], m_model.m_state.m_fibres[i], m_damping.isNone() ? nullptr : &m_damped[i],
-				   m_damping.getStiffening(), strain);
+				   m_damping.getStiffening(), planeOf(strain));
 }
 
 DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const
@@ -80,6 +83,19 @@ DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUN
 		m_model.m_capacity.m_stiffness[dof], yieldOf(dof), strain[dof], state.m_force[dof], state.m_forceRate[dof], {}};
 	m_damping.addTo(s, state.m_branch, dof);
 	return s;
+}
+
+/// strengthInStep() of a fibre that is steady. Inline, since each step asks it twice of most fibres.
+/// \param fibre, state  of the i-th
+inline FibreStep::Strength FibreStep::steadyStrength(int i, const JointModel::BearingFibre& fibre,
+													 const btElasticPlasticFibreState& state) const
+{
+	Strength strength;
+	strength.m_tension = state.m_isCracked ? btScalar(0) : fibre.m_tension;
+	strength.m_compression = fibre.m_compression;
+	m_interaction.lessen(i, strength);
+	strength.m_rate = strength.m_rateShare = 0;
+	return strength;
 }
 
 /// The branches of all fibres together have three forces each; a fibre has of them what its elongation in the plane gives it.
@@ -102,12 +118,13 @@ void FibreStep::findBranches()
 		sum.add(1, m_branch[b]);
 		kept.add(double(m_damping.getKept(b)), m_branch[b]);
 	}
+	const SectionPlaneOf<btScalar> ofForce = sum.rounded(), ofCarried = kept.rounded();
 	const btScalar stiffening = m_damping.getStiffening();
 	for (int i = 0; i < n; ++i)
 	{
-		const double stiffness = damped[i].m_bore ? double(fibres[i].m_stiffness) : 0;
-		damped[i].m_force = btScalar(sum.at(fibres[i]) * stiffness);
-		damped[i].m_carried = btScalar(kept.at(fibres[i]) * stiffness) - stiffening * states[i].m_force;
+		const btScalar stiffness = damped[i].m_bore ? fibres[i].m_stiffness : btScalar(0);
+		damped[i].m_force = ofForce.at(fibres[i]) * stiffness;
+		damped[i].m_carried = ofCarried.at(fibres[i]) * stiffness - stiffening * states[i].m_force;
 	}
 }
 
@@ -126,6 +143,8 @@ void FibreStep::findCoupledRows(const JointRows& rows)
 {
 	m_shearRow[0] = m_shearRow[1] = -1;
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	if (capacity.m_coupling[0] == 0 && capacity.m_coupling[1] == 0)
+		return;
 	const bool isCoupled[2] = {capacity.couplingCompliance(BT_EP_SHEAR_Y) != 0,
 							   capacity.couplingCompliance(BT_EP_SHEAR_Z) != 0};
 	if ((!isCoupled[0] && !isCoupled[1]) || !isFree(m_model.bodyA()) || !isFree(m_model.bodyB()))
@@ -273,23 +292,11 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 	return strength;
 }
 
-/// The same of a fibre that is steady.
-FibreStep::Strength FibreStep::steadyStrength(int i) const
-{
-	const JointModel::BearingFibre& fibre = m_model.m_bearing[i];
-	Strength strength;
-	strength.m_tension = m_model.m_state.m_fibres[i].m_isCracked ? btScalar(0) : fibre.m_tension;
-	strength.m_compression = fibre.m_compression;
-	m_interaction.lessen(i, strength);
-	strength.m_rate = strength.m_rateShare = 0;
-	return strength;
-}
-
 void FibreStep::findSteadyStrengths()
 {
 	m_strength.resize(m_numFibres);
 	for (int i = 0; i < m_numFibres; ++i)
-		m_strength[i] = steadyStrength(i);
+		m_strength[i] = steadyStrength(i, m_model.m_bearing[i], m_model.m_state.m_fibres[i]);
 }
 
 btScalar FibreStep::squareOfFrequency(const Motion& motion, btScalar diagonal, const JointRows& rows) const
@@ -346,16 +353,17 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	const Damped* const allDamped = damps && n > 0 ? &m_damped[0] : nullptr;
 	const Solution* const before = n > 0 ? &m_solution[0] : nullptr;
 	JointRows::Fibre* const to = n > 0 ? &rows.m_fibres[0] : nullptr;
-	// The most that turns add to a fibre's A: bending may be much more mobile than what is pulled.
-	btScalar byTurns = 0;
+	const SectionPlaneOf<btScalar> plane = planeOf(strain);
+	const bool areSteady = m_model.m_areSteady;
 	for (int i = 0; i < n; ++i)
 	{
 		const JointModel::BearingFibre& fibre = fibres[i];
 		const btElasticPlasticFibreState& state = states[i];
-		const DofState s = stateOf(fibre, state, damps ? allDamped + i : nullptr, stiffening, strain);
+		const DofState s = stateOf(fibre, state, damps ? allDamped + i : nullptr, stiffening, plane);
 		const btScalar known = scheme.known(s, dt), inverse = perStiffness / s.m_stiffness;
-		const Strength strength = m_model.m_areSteady ? steadyStrength(i) : strengthInStep(i, s, motion);
-		if (!m_model.m_areSteady)
+		const Strength strength =
+			areSteady ? steadyStrength(i, fibre, state) : strengthInStep(i, stateOf(i, strain), motion);
+		if (!areSteady)
 			m_strength[i] = strength;
 		// As implicitRow(), with two bounds.
 		JointRows::Fibre& row = to[i];
@@ -368,12 +376,14 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		row.m_z = fibre.m_z;
 		row.m_coupling[0] = row.m_coupling[1] = 0;
 		row.m_bound = before[i].m_bound;
-		btSetMax(byTurns, fibre.m_z * fibre.m_z * motion.m_turn[0] + fibre.m_y * fibre.m_y * motion.m_turn[1]);
 	}
 	rows.m_numFibres = n;
 	if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
 		couple(strain, scheme, a, rows);
-	rows.m_fibreDiagonal = diagonal + byTurns;
+	// Bending may be much more mobile than what is pulled.
+	rows.m_fibreDiagonal = diagonal;
+	for (int k = 0; k < 2; ++k)
+		rows.m_fibreDiagonal += m_model.m_reach[k] * m_model.m_reach[k] * motion.m_turn[k];
 	for (int shear = 0; shear < 2; ++shear)
 		rows.m_coupledShear[shear] = m_shearRow[shear];
 }
@@ -443,19 +453,18 @@ bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outc
 	if (n == 0)
 		return false;
 	const bool damps = !m_damping.isNone(), areSteady = m_model.m_areSteady;
-	const double stiffer = 1 + double(m_damping.getStiffening());
+	const SectionPlaneOf<btScalar> plane = planeOf(trial);
+	const btScalar stiffer = 1 + m_damping.getStiffening();
 	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
 	btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
 	const Damped* const damped = damps ? &m_damped[0] : nullptr;
-	const auto springOf = [&](int i)
-	{ return double(elongationOf(fibres[i], states[i], trial)) * double(fibres[i].m_stiffness); };
 	for (int i = 0; i < n; ++i)
 	{
-		const double spring = springOf(i), total = damps ? stiffer * spring + double(damped[i].m_carried) : spring;
-		const Strength strength = areSteady ? steadyStrength(i) : m_strength[i];
-		if (states[i].isRuptured() || !(total <= double(strength.m_tension)) ||
-			!(total >= -double(strength.m_compression)) || (damps && !damped[i].m_bore) ||
-			(!(spring < 0) && m_model.bearsPressureOnly(i)))
+		const btScalar spring = (plane.at(fibres[i]) - states[i].m_offset) * fibres[i].m_stiffness,
+					   total = damps ? stiffer * spring + damped[i].m_carried : spring;
+		const Strength strength = areSteady ? steadyStrength(i, fibres[i], states[i]) : m_strength[i];
+		if (states[i].isRuptured() || !(total <= strength.m_tension) || !(total >= -strength.m_compression) ||
+			(damps && !damped[i].m_bore) || (!(spring < 0) && !(strength.m_tension > 0)))
 			return false;
 	}
 	SectionForces sum, change;
@@ -463,8 +472,8 @@ bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outc
 	for (int i = 0; i < n; ++i)
 	{
 		btElasticPlasticFibreState& state = states[i];
-		// Once more in place of memory for it.
-		const double force = springOf(i);
+		// Once more in place of memory for it, and exactly: the joint's moments are its sums.
+		const double force = double(plane.at(fibres[i]) - state.m_offset) * double(fibres[i].m_stiffness);
 		const btScalar grown = btScalar(force) - state.m_force;
 		state.m_rate = areSteady ? btScalar(0) : m_strength[i].m_rate;
 		state.m_rateShare = areSteady ? btScalar(0) : m_strength[i].m_rateShare;
@@ -733,16 +742,20 @@ void FibreStep::dampTogether(const SectionForces& change, Outcome& outcome)
 		SectionPlane plane;
 		plane.add(double(m_damping.getKept(b)), m_branch[b]);
 		plane.add(double(m_damping.getTaken(b)), changed);
-		outcome.m_squares[b] = before.along(m_branch[b]) + before.along(plane) + after.along(plane);
 		grown.add(1, plane);
 		grown.add(-1, m_branch[b]);
+		outcome.m_squares[b] = after.along(plane);
+		plane.add(1, m_branch[b]);
+		outcome.m_squares[b] += before.along(plane);
 	}
+	const SectionPlaneOf<btScalar> ofRate = grown.rounded();
 	const btScalar perTime = 1 / m_dt;
 	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
 	btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
+	const Damped* const damped = &m_damped[0];
 	for (int i = 0, n = m_numFibres; i < n; ++i)
-		if (m_damped[i].m_bore)
-			states[i].m_forceRate += btScalar(grown.at(fibres[i]) * double(fibres[i].m_stiffness)) * perTime;
+		if (damped[i].m_bore)
+			states[i].m_forceRate += ofRate.at(fibres[i]) * fibres[i].m_stiffness * perTime;
 }
 
 void FibreStep::dampEach(Outcome& outcome)

@@ -145,7 +145,7 @@ private:
 	};
 
 	static DofState stateOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
-							const Damped* damped, btScalar stiffening, const btScalar strain[BT_EP_DOF_COUNT]);
+							const Damped* damped, btScalar stiffening, const SectionPlaneOf<btScalar>& plane);
 	DofState stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	DofState stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	double couplingOf(int fibre, int shear) const;
@@ -167,7 +167,8 @@ private:
 	double rateShareInStep(int fibre, double force, double rate, const JointModel::FibreStrength& strength) const;
 	double flowInStep(int fibre, bool isPulled, double beyond, double stiffness, double stronger) const;
 	Strength strengthInStep(int fibre, const DofState& s, const Motion& motion) const;
-	Strength steadyStrength(int fibre) const;
+	Strength steadyStrength(int i, const JointModel::BearingFibre& fibre,
+							const btElasticPlasticFibreState& state) const;
 	void findSteadyStrengths();
 	bool isOpen(int fibre) const { return m_mapped[fibre].m_increment > 0 && m_model.bearsPressureOnly(fibre); }
 	double flowForce(int fibre) const;

@@ -301,12 +301,15 @@ void JointModel::setCapacity(const btElasticPlasticCapacity& capacity)
 	SectionStiffness section;
 	m_bearing.resize(m_capacity.m_fibres.size());
 	m_areSteady = true;
+	m_reach[0] = m_reach[1] = 0;
 	for (int i = 0; i < m_capacity.m_fibres.size(); ++i)
 	{
 		const btElasticPlasticFibre& fibre = m_capacity.m_fibres[i];
 		section.add(fibre, double(fibre.m_stiffness));
 		m_bearing[i] = {fibre.m_y, fibre.m_z, fibre.m_stiffness, fibre.m_tension, fibre.m_compression};
 		m_areSteady &= fibre.isSteady();
+		btSetMax(m_reach[0], btFabs(fibre.m_z));
+		btSetMax(m_reach[1], btFabs(fibre.m_y));
 	}
 	m_wholeCompliance = section.invert();
 }

@@ -186,7 +186,8 @@ struct JointModel
 		btScalar m_y, m_z, m_stiffness, m_tension, m_compression;
 	};
 	btAlignedObjectArray<BearingFibre> m_bearing;
-	bool m_areSteady = true;  ///< all of them, see btElasticPlasticFibre::isSteady()
+	btScalar m_reach[2] = {0, 0};  ///< of all fibres, from the axes of bending about y and about z [m]
+	bool m_areSteady = true;       ///< all of them, see btElasticPlasticFibre::isSteady()
 
 	/// What a fibre at rest bears in tension and in compression as it is now, and with so much more plastic path [N].
 	struct FibreStrength

@@ -41,7 +41,7 @@ struct JointRows
 	TensionDamping m_damping;
 	int m_numFibres = 0;
 	btAlignedObjectArray<Fibre> m_fibres;  ///< m_numFibres of them count: the memory serves joint after joint
-	btScalar m_fibreDiagonal = 0;          ///< the largest A of a fibre
+	btScalar m_fibreDiagonal = 0;          ///< no fibre has a larger A
 	int m_coupledShear[2] = {-1, -1};      ///< rows that are coupled with the fibres, -1: none
 };
 }  // namespace btElasticPlastic

@@ -620,13 +620,11 @@ FibreStep::Outcome JointStep::commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]
 	for (int r = 0; r < m_numRows; ++r)
 	{
 		const int dof = m_row[r].m_dof, shear = dof - BT_EP_SHEAR_Y;
-		const RowOutcome outcome = outcomeOf(r);
-		trial[dof] = outcome.m_trial;
-		if (shear == 0 || shear == 1)
-		{
-			outcomes[shear] = outcome;
-			shears[shear] = &outcomes[shear];
-		}
+		trial[dof] = trialOf(r);
+		if (shear != 0 && shear != 1)
+			continue;
+		outcomes[shear] = outcomeOf(r);
+		shears[shear] = &outcomes[shear];
 	}
 	const FibreStep::Outcome outcome = m_fibres.commit(trial, shears, m_isCut);
 	const int numPlain = getNumPlainRows();

@@ -70,26 +70,19 @@ public:
 	/// By which the force at the end of a step grows with the spring's: sum of p g.
 	btScalar getStiffening() const { return m_stiffening; }
 
-	/// A degree of freedom's force of the branches at the end of a step at which the spring's is zero.
-	/// \param q      of all degrees of freedom, at the start of the step
-	/// \param force  of the spring then
-	btScalar carried(const btScalar q[BRANCHES][BT_EP_DOF_COUNT], int dof, btScalar force) const
-	{
-		btScalar sum = -m_stiffening * force;
-		for (int i = 0; i < BRANCHES; ++i)
-			sum += m_branch[i].m_kept * q[i][dof];
-		return sum;
-	}
-
 	/// Adds the branches of a degree of freedom to its spring.
+	/// \param q  of all degrees of freedom, at the start of the step
 	void addTo(DofState& s, const btScalar q[BRANCHES][BT_EP_DOF_COUNT], int dof) const
 	{
 		if (isNone())
 			return;
 		s.m_stiffening = m_stiffening;
-		s.m_carried = carried(q, dof, s.m_force);
+		s.m_carried = -m_stiffening * s.m_force;
 		for (int i = 0; i < BRANCHES; ++i)
+		{
+			s.m_carried += m_branch[i].m_kept * q[i][dof];
 			s.m_force += q[i][dof];
+		}
 	}
 
 	/// r and p g of the i-th branch.

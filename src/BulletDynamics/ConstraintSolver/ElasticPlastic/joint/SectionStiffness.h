@@ -9,23 +9,35 @@
 namespace btElasticPlastic
 {
 /// Elongation and turns of a section, e + z a_y - y a_z at each place.
-struct SectionPlane
+template <class T>
+struct SectionPlaneOf
 {
-	double m_elongation = 0, m_turnY = 0, m_turnZ = 0;
+	T m_elongation = 0, m_turnY = 0, m_turnZ = 0;
 
 	/// \param fibre  whatever has a place in the section
 	template <class Fibre>
-	double at(const Fibre& fibre) const
+	T at(const Fibre& fibre) const
 	{
-		return m_elongation + double(fibre.m_z) * m_turnY - double(fibre.m_y) * m_turnZ;
+		return m_elongation + T(fibre.m_z) * m_turnY - T(fibre.m_y) * m_turnZ;
 	}
-	void add(double factor, const SectionPlane& other)
+	void add(T factor, const SectionPlaneOf& other)
 	{
 		m_elongation += factor * other.m_elongation;
 		m_turnY += factor * other.m_turnY;
 		m_turnZ += factor * other.m_turnZ;
 	}
+
+	/// As exactly as Bullet computes, for what is asked of many fibres and adds little to their forces.
+	SectionPlaneOf<btScalar> rounded() const
+	{
+		SectionPlaneOf<btScalar> plane;
+		plane.m_elongation = btScalar(m_elongation);
+		plane.m_turnY = btScalar(m_turnY);
+		plane.m_turnZ = btScalar(m_turnZ);
+		return plane;
+	}
 };
+typedef SectionPlaneOf<double> SectionPlane;
 
 /// N, M_y and M_z of a section: what forces of its fibres add up to.
 struct SectionForces
