@@ -107,13 +107,20 @@ void findSlips(const std::vector<SectionPoint>& points, const std::vector<size_t
 
 /// By which distances between clusters are measured along y and z: of what is solid by its radii of gyration, so that clusters tell as much of axial force and
 /// bending in a thin sheet as in a square. Walls have clusters that are compact.
-void findUnits(const Region::Moments& all, double& y, double& z)
+struct Units
+{
+	double m_y = 1, m_z = 1;
+};
+Units unitsOf(const Region::Moments& all)
 {
 	const double gyrationY = sqrt(all.m_yy / all.m_area), gyrationZ = sqrt(all.m_zz / all.m_area);
-	if (all.m_area < SOLID * 12 * gyrationY * gyrationZ)
-		return;
-	y = gyrationY;
-	z = gyrationZ;
+	Units units;
+	if (all.m_area >= SOLID * 12 * gyrationY * gyrationZ)
+	{
+		units.m_y = gyrationY;
+		units.m_z = gyrationZ;
+	}
+	return units;
 }
 
 /// By Lloyd's method.
@@ -143,8 +150,8 @@ std::vector<Cluster> gather(const std::vector<Cluster>& pieces, int count)
 std::vector<Cluster> clustersOf(const Region& region, int count)
 {
 	const Region::Moments all = region.moments();
-	double y = 1, z = 1;
-	findUnits(all, y, z);
+	const Units units = unitsOf(all);
+	const double y = units.m_y, z = units.m_z;
 	std::vector<Region> regions;
 	region.stretched(1 / y, 1 / z)
 		.cut(all.m_area / (y * z) / btMax(LEAST_PIECES, PIECES_OF_A_CLUSTER * count), regions);
