@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticHeat.h"
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticCapacity.h"
 #include "support/Close.h"
 #include "support/SectionCells.h"
@@ -396,5 +397,79 @@ TEST(SectionFibres, NumbersThatNoFibreCanHave)
 		spoils[i](bad);
 		EXPECT_TRUE(bad.fault()) << i;
 	}
+}
+TEST(SectionFibres, WhatWasAddedIsNotLostByCuttingAgain)
+{
+	const btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(250e6));
+	btElasticPlasticSection section =
+		btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.2)).withFibres(16).withFibres(36);
+	EXPECT_FALSE(section.m_fault);
+	section.addBar(0, 0, btScalar(1e-3), steel);
+	EXPECT_FALSE(section.m_fault);
+	EXPECT_TRUE(section.withFibres(36).m_fault);
+	EXPECT_TRUE(section.withFibresFor(btScalar(0.01)).m_fault);
+	EXPECT_FALSE(section.m_fault);
+}
+
+TEST(SectionFibres, ASectionMayBeAddedToItself)
+{
+	const btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(250e6));
+	btElasticPlasticSection twin = btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.2)).withFibres(16),
+							other = twin;
+	for (int i = 0; i < 3; ++i)
+	{
+		const btElasticPlasticSection copy = other;
+		other.addPart(copy, btScalar(0.2), 0, steel);
+		twin.addPart(twin, btScalar(0.2), 0, steel);
+		ASSERT_FALSE(twin.m_fault);
+		ASSERT_EQ(other.m_fibres.size(), twin.m_fibres.size());
+	}
+	for (int i = 0; i < twin.m_fibres.size(); ++i)
+	{
+		EXPECT_EQ(other.m_fibres[i].m_y, twin.m_fibres[i].m_y);
+		EXPECT_EQ(other.m_fibres[i].m_material, twin.m_fibres[i].m_material);
+	}
+}
+
+TEST(SectionFibres, WhatIsNoArrayIsRefused)
+{
+	const int three = 3;
+	const btElasticPlasticSectionPoint corners[3] = {{0, 0}, {0, 1}, {1, 0}};
+	EXPECT_TRUE(btElasticPlasticSection::polygon(nullptr, &three, 1).m_fault);
+	EXPECT_TRUE(btElasticPlasticSection::polygon(corners, nullptr, 1).m_fault);
+	EXPECT_TRUE(btElasticPlasticSection::bolts(nullptr, 4, btScalar(1e-4)).m_fault);
+	EXPECT_TRUE(btElasticPlasticSection::welds(nullptr, 4, btScalar(1e-3)).m_fault);
+	const btElasticPlasticCapacity capacity =
+		capacityOf(btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.2)).withFibres());
+	EXPECT_TRUE(capacity.heated(nullptr, 3).fault());
+}
+
+TEST(SectionFibres, WhatIsNoTemperatureIsRefused)
+{
+	const btElasticPlasticCapacity capacity =
+		capacityOf(btElasticPlasticSection::rectangle(btScalar(0.1), btScalar(0.2)).withFibres());
+	for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+							   -std::numeric_limits<double>::infinity()})
+	{
+		const btScalar t = btScalar(wrong);
+		for (const btElasticPlasticHeat& heat :
+			 {btElasticPlasticHeat::steel(t), btElasticPlasticHeat::reinforcement(t, true),
+			  btElasticPlasticHeat::concrete(t), btElasticPlasticHeat::timber(t),
+			  btElasticPlasticHeat::aluminium6061(t), btElasticPlasticHeat::aluminium6082(t)})
+			EXPECT_TRUE(capacity.heated(heat).fault()) << wrong;
+	}
+}
+
+TEST(SectionFibres, AFibreHasADirectionAndAPart)
+{
+	const btElasticPlasticCapacity capacity = capacityOf(
+		btElasticPlasticSection::iSection(btScalar(0.1), btScalar(0.2), btScalar(0.006), btScalar(0.009)).withFibres());
+	ASSERT_FALSE(capacity.fault());
+	btElasticPlasticCapacity wrong = capacity;
+	wrong.m_fibres[3].m_wall[0] = 5;
+	EXPECT_TRUE(wrong.fault());
+	wrong = capacity;
+	wrong.m_fibres[3].m_part = -1;
+	EXPECT_TRUE(wrong.fault());
 }
 }  // namespace testSectionFibres

@@ -3,6 +3,8 @@
 
 #include "btElasticPlasticCapacity.h"
 
+#include <math.h>
+
 #include <initializer_list>
 
 #include "LinearMath/btMinMax.h"
@@ -129,8 +131,8 @@ btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlastic
 btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlasticHeat* ofParts, int count) const
 {
 	btElasticPlasticCapacity hot = *this;
-	if (!hot.m_fault && count < 1)
-		hot.m_fault = btElasticPlasticFault("number of heats", btScalar(count), "1 or more");
+	if (!hot.m_fault && (!ofParts || count < 1))
+		hot.m_fault = btElasticPlasticFault("number of heats", btScalar(ofParts ? count : 0), "1 or more");
 	for (int i = 0; i < count && !hot.m_fault; ++i)
 		hot.m_fault = faultOfHeat(ofParts[i]);
 	if (hot.m_fault)
@@ -244,8 +246,8 @@ btElasticPlasticFault btElasticPlasticCapacity::fault() const
 			return btElasticPlasticFault(stiffness, m_stiffness[i], "at most 1e24 where a section has fibres", i);
 		if (relativeCoupling(i) != 0 &&
 			!(m_stiffness[i] >= LEAST_STIFFNESS_OF_PAIR && m_stiffness[i] <= MOST_STIFFNESS_OF_PAIR))
-			return btElasticPlasticFault(stiffness, m_stiffness[i],
-										 "1e-18 to 1e18 where shear and bending are coupled", i);
+			return btElasticPlasticFault(stiffness, m_stiffness[i], "1e-18 to 1e18 where shear and bending are coupled",
+										 i);
 	}
 	if (btElasticPlasticFault f = faultOfFibres())
 		return f;
@@ -308,6 +310,13 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 		for (const btScalar number : {fibre.m_wall[0], fibre.m_wall[1], fibre.m_twist[0], fibre.m_twist[1]})
 			if (!isLength(number))
 				return btElasticPlasticFault("direction in which a fibre is sheared", number, LENGTH);
+		const double wall = hypot(double(fibre.m_wall[0]), double(fibre.m_wall[1]));
+		if (wall != 0 && fabs(wall - 1) > 1e-3)
+			return btElasticPlasticFault("length of the direction in which a fibre is sheared", btScalar(wall),
+										 "1, or 0 for any direction");
+		if (fibre.m_part < 0)
+			return btElasticPlasticFault("part of the section to which a fibre belongs", btScalar(fibre.m_part),
+										 "0 or more");
 	}
 	return btElasticPlasticFault();
 }

@@ -3,6 +3,8 @@
 
 #include "btElasticPlasticHeat.h"
 
+#include "btElasticPlasticFault.h"
+
 namespace
 {
 /// A point of a factor's curve.
@@ -14,6 +16,9 @@ struct HeatPoint
 template <int N>
 btScalar heatFactor(const HeatPoint (&points)[N], btScalar temperature)
 {
+	// What is no temperature leaves no number, and a capacity refuses that.
+	if (!btElasticPlasticIsFinite(double(temperature)))
+		return temperature;
 	const double t = temperature;
 	for (int i = 0; i < N; ++i)
 		if (!(t >= points[i].m_temperature))

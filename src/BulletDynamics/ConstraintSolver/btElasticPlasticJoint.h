@@ -125,7 +125,8 @@ public:
 	double getDampingEnergy() const;
 
 	/// Taken from the bodies by the joint in all, less elastic, plastic and damping energy: what the time integration has dissipated [J].
-	/// May be a little negative with the direct form: plastic flow counts by the step's last velocity, work by its mean one.
+	/// May be a little negative with the direct form: plastic flow counts by the step's last velocity, work by its mean one. What fibres held as they
+	/// ruptured is in it, too.
 	double getNumericalEnergy() const;
 
 	/// Taken from the bodies by the joint in all [J].

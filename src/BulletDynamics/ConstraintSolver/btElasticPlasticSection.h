@@ -96,6 +96,7 @@ struct btElasticPlasticSection
 	///               and shear takes of the fibres' strength, by the walls that bear it. Of materials that are weaker in
 	///               tension pressure adds to it; those with less than a tenth, or with a friction, are left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where
 	///               they act together with the rest; a joint's step is an eighth to a quarter shorter where it is loaded beyond half of its strength
+	/// A section to which bars or parts have been added is refused: they would be lost.
 	btElasticPlasticSection withFibres(int count = 0, bool withShear = true) const;
 
 	/// The same with as few fibres as are right within an error, so that a scene does not pay for what it does not need.

@@ -147,7 +147,7 @@ btElasticPlasticSection btElasticPlasticSection::bolts(const btElasticPlasticSec
 {
 	btElasticPlasticSection s;
 	s.m_fault = btElasticPlasticCheckPositive("area of a bolt [m^2]", area);
-	if (s.m_fault || !isNumberOfFasteners(s, "number of bolts", count))
+	if (s.m_fault || !isNumberOfFasteners(s, "number of bolts", places ? count : 0))
 		return s;
 	std::vector<Fastener> fasteners;
 	for (int i = 0; i < count; ++i)
@@ -165,7 +165,7 @@ btElasticPlasticSection btElasticPlasticSection::welds(const btElasticPlasticSec
 {
 	btElasticPlasticSection s;
 	s.m_fault = btElasticPlasticCheckPositive("throat of a weld [m]", throat);
-	if (s.m_fault || !isNumberOfFasteners(s, "number of welds", count))
+	if (s.m_fault || !isNumberOfFasteners(s, "number of welds", lines ? count : 0))
 		return s;
 	std::vector<Fastener> fasteners;
 	for (int i = 0; i < count && !s.m_fault; ++i)

@@ -362,10 +362,13 @@ btElasticPlasticSection btElasticPlasticSection::withFibres(int count, bool with
 	else if (m_parts.size() == 0 && m_corners.size() == 0)
 		s.m_fault = btElasticPlasticFault("number of parts of the section to cut into fibres", 0,
 										  "1 or more: a section by rectangle(), iSection() and the like");
+	else if (s.m_materials.size() > 0)
+		s.m_fault =
+			btElasticPlasticFault("number of materials added to a section that is cut into fibres",
+								  btScalar(s.m_materials.size()), "0: call withFibres() before addBar() and addPart()");
 	if (s.m_fault)
 		return s;
 	s.m_fibres.clear();
-	s.m_materials.clear();
 	if (m_parts.size() == 0)
 		addClusters(s, count > 0 ? count : 36);
 	else if (m_parts.size() > 1)
@@ -429,6 +432,9 @@ void btElasticPlasticSection::addPart(const btElasticPlasticSection& part, btSca
 {
 	if (m_fault)
 		return;
+	// Its arrays would move as they are read.
+	if (&part == this)
+		return addPart(btElasticPlasticSection(part), y, z, material);
 	m_fault = part.m_fault ? part.m_fault : material.fault();
 	if (!m_fault && !(btElasticPlasticIsFinite(y) && btElasticPlasticIsFinite(z)))
 		m_fault = btElasticPlasticFault("place of a part, y + z [m]", y + z, "finite");

@@ -214,6 +214,8 @@ btElasticPlasticSection btElasticPlasticSection::polygon(const btElasticPlasticS
 	int sum = 0;
 	if (numOutlines < 1)
 		s.m_fault = btElasticPlasticFault("number of outlines of a section", btScalar(numOutlines), "1 or more");
+	else if (!corners || !numCorners)
+		s.m_fault = btElasticPlasticFault("address of a section's corners, or of their numbers", 0, "not null");
 	for (int i = 0; i < numOutlines && !s.m_fault; ++i)
 	{
 		if (numCorners[i] < 3 || numCorners[i] > MOST_CORNERS - sum)
