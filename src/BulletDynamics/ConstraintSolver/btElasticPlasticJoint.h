@@ -20,7 +20,8 @@ enum btElasticPlasticScheme : int  // of a fixed type: a value that is none can 
 {
 	BT_EP_SCHEME_IMPLICIT,  ///< the default, see docs/theory.md
 	/// What the step does not resolve is damped by the frequency of a structure's mode, not by the stiffness of each row: swings and blows
-	/// keep their energy, however finely a member is divided. All joints of a structure should have it. See docs/theory.md.
+	/// keep their energy, however finely a member is divided. All joints of a structure should have it. Fibres are damped as by
+	/// default, whatever the scheme. See docs/theory.md.
 	BT_EP_SCHEME_BY_MODE,
 	BT_EP_SCHEME_PAPER  ///< the paper's, as a baseline: wrong at many steps, see docs/theory.md
 };
