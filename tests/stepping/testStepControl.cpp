@@ -39,8 +39,8 @@ Outcome solve(const char* problem, double error)
 /// business, waves in a struck member and a blow on contacts fall by the root of the step only, and what two opposite flows leave is
 /// their small difference. A crack that opens has no part in the estimate. Sections are as right as their number of fibres, whatever the step. When a
 /// strut leaves its line goes by rounding: 1.5 to 3.6 % late in 60 runs whose lengths differ by 1e-9, and within the 5 % that is asked of struts.
-/// What the steps of a flow leave that grows adds up: a beam that is pushed until it hangs is 2 % off, and 8 % where rounding lets the step
-/// become long early.
+/// What the steps of a flow leave that grows adds up: a beam that is pushed until it hangs is 2 % off, and 8 % where the rounding of float lets the
+/// step become long early.
 TEST(StepControl, KeepsToTheErrorThatIsAllowed)
 {
 	const std::map<std::string, double> coarse = {{"block-reversed-90kN", 0.16},
@@ -56,7 +56,7 @@ TEST(StepControl, KeepsToTheErrorThatIsAllowed)
 												{"section-circle", 0.02},
 												{"section-concrete", 0.04},
 												{"section-shear", 0.04},
-												{"beam-held-pushed", 0.08},
+												{"beam-held-pushed", inPrecision(0.025, 0.08)},
 												{"beam-held-struck", 0.02},
 												{"beam-of-concrete-struck", 0.02},
 												{"strut-buckles", 0.05},

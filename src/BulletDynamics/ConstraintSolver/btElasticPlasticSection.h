@@ -88,6 +88,7 @@ struct btElasticPlasticSection
 	/// The same section cut into fibres: in joints with it axial force, bending moments, shears and torsion yield together, as in the section itself,
 	/// instead of each by itself. What it can bear is then right within a few per cent in every direction, and exact
 	/// where only one of them acts; independent yield values allow up to twice that where all act. \see docs/theory.md
+	/// A section to which bars or parts have been added is refused: they would be lost.
 	/// \param count  about how many, 4 to 400; 0: as many as are right within 3 %. A rectangle takes 4 (25 %), 8 (5.5 %), 12 (2.9 %), 16 (2.4 %), 36 (1 %) or 112 (0.9 %), a
 	///               circle 14 (3.2 %), 20 (1.8 %), 33 (1.1 %) or 101 (0.4 %), a tube as many as are asked for (20: 0.9 %; thick walls 2.8 %), another section multiples
 	///               of 4 for each of its parts (an I-section 12: 5.3 %, 24: 1.7 %, 60: 0.7 %; a box 16: 2.8 %, 24: 1.2 %). A polygon takes as many as are
@@ -96,7 +97,6 @@ struct btElasticPlasticSection
 	///               and shear takes of the fibres' strength, by the walls that bear it. Of materials that are weaker in
 	///               tension pressure adds to it; those with less than a tenth, or with a friction, are left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where
 	///               they act together with the rest; a joint's step is an eighth to a quarter shorter where it is loaded beyond half of its strength
-	/// A section to which bars or parts have been added is refused: they would be lost.
 	btElasticPlasticSection withFibres(int count = 0, bool withShear = true) const;
 
 	/// The same with as few fibres as are right within an error, so that a scene does not pay for what it does not need.

@@ -361,6 +361,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		const btElasticPlasticFibreState& state = states[i];
 		const DofState s = stateOf(fibre, state, damps ? allDamped + i : nullptr, stiffening, plane);
 		const btScalar known = scheme.known(s, dt), inverse = perStiffness / s.m_stiffness;
+		// With a state of its own: what a function gets by address does not stay in registers, and most fibres are steady.
 		const Strength strength =
 			areSteady ? steadyStrength(i, fibre, state) : strengthInStep(i, stateOf(i, strain), motion);
 		if (!areSteady)
@@ -742,11 +743,9 @@ void FibreStep::dampTogether(const SectionForces& change, Outcome& outcome)
 		SectionPlane plane;
 		plane.add(double(m_damping.getKept(b)), m_branch[b]);
 		plane.add(double(m_damping.getTaken(b)), changed);
+		outcome.m_squares[b] = before.along(m_branch[b]) + before.along(plane) + after.along(plane);
 		grown.add(1, plane);
 		grown.add(-1, m_branch[b]);
-		outcome.m_squares[b] = after.along(plane);
-		plane.add(1, m_branch[b]);
-		outcome.m_squares[b] += before.along(plane);
 	}
 	const SectionPlaneOf<btScalar> ofRate = grown.rounded();
 	const btScalar perTime = 1 / m_dt;

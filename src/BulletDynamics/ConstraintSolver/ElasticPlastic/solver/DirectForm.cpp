@@ -255,13 +255,11 @@ void DirectForm::addUnit(const JointRows& rows, const int bodies[2])
 		unit.m_body[side] = bodies[side];
 	for (int r = 0; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
 		unit.m_dof[r] = static_cast<signed char>(rows.m_row[r].m_dof);
-	if (rows.m_numFibres == 0)
-		return;
-	SystemInput::Fibre* const to = &m_input.m_fibres[size_t(unit.m_firstFibre)];
-	for (int i = 0, n = rows.m_numFibres; i < n; ++i)
+	for (int i = 0; i < rows.m_numFibres; ++i)
 	{
 		const JointRows::Fibre& from = rows.m_fibres[i];
-		to[i] = {from.m_y, from.m_z, {double(from.m_coupling[0]), double(from.m_coupling[1])}};
+		m_input.m_fibres[size_t(unit.m_firstFibre + i)] = {
+			from.m_y, from.m_z, {double(from.m_coupling[0]), double(from.m_coupling[1])}};
 	}
 }
 
@@ -270,20 +268,17 @@ void DirectForm::addFibres(const JointRows& rows, const btVector3 velocity[2], d
 {
 	const btVector3* const axis = rows.m_kinematics.m_axis;
 	const double axial = velocity[0].dot(axis[0]), turnY = velocity[1].dot(axis[1]), turnZ = velocity[1].dot(axis[2]);
-	const double leastCompliance = HARD * double(rows.m_fibreDiagonal);
-	const size_t first = size_t(entry.m_firstRow + rows.m_numRows);
-	SystemInput::Bounded* const to = &m_input.m_rows[first];
-	SystemInput::Guess* const guess = &m_input.m_guess[first];
-	for (int i = 0, n = rows.m_numFibres; i < n; ++i)
+	for (int i = 0; i < rows.m_numFibres; ++i)
 	{
 		const JointRows::Fibre& from = rows.m_fibres[i];
-		SystemInput::Bounded& row = to[i];
+		const int r = entry.m_firstRow + rows.m_numRows + i;
+		SystemInput::Bounded& row = m_input.m_rows[size_t(r)];
 		const double lower = from.m_soft.m_lower, upper = from.m_soft.m_upper;
 		row.m_target = double(from.m_soft.m_velocity) - (axial + double(from.m_z) * turnY - double(from.m_y) * turnZ);
-		row.m_compliance = btMax(double(from.m_soft.m_compliance), leastCompliance);
+		row.m_compliance = btMax(double(from.m_soft.m_compliance), HARD * double(rows.m_fibreDiagonal));
 		row.m_lower = btMax(lower, -most);
 		row.m_upper = btMin(upper, most);
-		guess[i].m_bound = from.m_bound;
+		m_input.m_guess[size_t(r)].m_bound = from.m_bound;
 		entry.m_isCut |= row.m_lower > lower || row.m_upper < upper;
 	}
 	if (rows.m_coupledShear[0] >= 0 || rows.m_coupledShear[1] >= 0)
