@@ -5,11 +5,13 @@
 
 #include <math.h>
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
 #include "support/Precision.h"
 #include "support/Run.h"
 #include "world/Place.h"
@@ -291,6 +293,51 @@ TEST(Energy, OfTorsionThatRingsBesideABowIsNotMade)
 			for (int dof = 3; dof < BT_EP_DOF_COUNT; ++dof)
 				turn = btMax(turn, btFabs(joint->getElasticDeformation(dof)));
 			ASSERT_LT(world.kineticEnergy(), 1.001 * start) << seed << " at step " << i;
+		}
+	}
+}
+
+TEST(Energy, OfFibresThatOpenIsNotMade)
+{
+	// Two free parts whose velocities do not fit together, on a section that bears no tension: a force that a step knew from its beginning pressed them apart while
+	// fibres opened, further than a step by bending's frequency resolves. They moved faster by up to 1.7 % of their energy.
+	for (unsigned seed = 0; seed < 150; ++seed)
+	{
+		std::mt19937 engine(seed);
+		const auto within = [&](double from, double to) { return from + (to - from) * double(engine()) / 4294967296.; };
+		const auto any = [&](double most)
+		{
+			const double x = within(-most, most), y = within(-most, most), z = within(-most, most);
+			return btVector3(btScalar(x), btScalar(y), btScalar(z));
+		};
+		const btScalar length = btScalar(within(0.5, 1.1)), height = btScalar(within(0.02, 0.06));
+		btElasticPlasticMaterial concrete = btElasticPlasticReadyMaterial::find("C30/37");
+		concrete.m_tensileShare = 0;
+		concrete.m_dampingRatio = 0;
+		const btElasticPlasticSection section =
+			seed % 2 == 0 ? btElasticPlasticSection::iSection(height, height, height / 10, height / 8)
+						  : btElasticPlasticSection::circle(height / 2);
+		const btElasticPlasticCapacity capacity = btElasticPlasticCapacity::fromMember(
+			concrete, section.withFibres(seed % 3 == 0 ? 12 : 33, seed % 4 < 2), length, length);
+		ASSERT_FALSE(capacity.fault());
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		btCollisionShape* const part = world.box(btVector3(length, height, height));
+		const btScalar mass = 2400 * length * height * height;
+		btRigidBody* const a = world.body(mass, part, at(0), false);
+		btRigidBody* const b = world.body(mass, part, at(length), false);
+		world.joint(*a, *b, at(length / 2), capacity);
+		const double speed = pow(10, within(-1, 1));
+		for (btRigidBody* body : {a, b})
+		{
+			body->setLinearVelocity(any(speed));
+			body->setAngularVelocity(any(std::min(speed / double(length), 15.)));
+		}
+		const double start = world.kineticEnergy(), dt = 1. / (30 << engine() % 4);
+		for (int i = 0; i < 60; ++i)
+		{
+			world.step(btScalar(dt));
+			ASSERT_LT(world.kineticEnergy(), 1.001 * start) << seed << " at step " << i;
+			ASSERT_LT(energyOf(world), 1.0025 * start) << seed << " at step " << i;
 		}
 	}
 }

@@ -18,6 +18,9 @@ namespace
 /// one line alone would not be defined.
 const double WEIGHT_OF_IDLE = 1e-3;
 
+/// A step that elongates a section by this share of what it yields at, or by more, does not resolve it.
+const double RESOLVED_ELONGATION = 0.25;
+
 /// Newton's steps for a scalar equation; a few are enough.
 const int MOST_RATE_STEPS = 30;
 
@@ -299,6 +302,14 @@ void FibreStep::findSteadyStrengths()
 		m_strength[i] = steadyStrength(i, m_model.m_bearing[i], m_model.m_state.m_fibres[i]);
 }
 
+/// How much the section elongates in the step, over that at which it yields.
+btScalar FibreStep::elongationOverYield(const Motion& motion) const
+{
+	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
+	return m_dt * btFabs(motion.m_rate[BT_EP_AXIAL]) * capacity.m_stiffness[BT_EP_AXIAL] /
+		   capacity.m_yield[BT_EP_AXIAL];
+}
+
 btScalar FibreStep::squareOfFrequency(const Motion& motion, btScalar diagonal, const JointRows& rows) const
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
@@ -312,7 +323,7 @@ btScalar FibreStep::squareOfFrequency(const Motion& motion, btScalar diagonal, c
 		energy += moving;
 		sum += moving * log(double(capacity.m_stiffness[dof]) * double(own));
 	};
-	if (motion.m_isInner)
+	if (motion.m_isInner && !m_model.anyBearsPressureOnly())
 	{
 		add(BT_EP_AXIAL, diagonal);
 		add(BT_EP_BENDING_Y, motion.m_turn[0]);
@@ -320,7 +331,12 @@ btScalar FibreStep::squareOfFrequency(const Motion& motion, btScalar diagonal, c
 		for (int r = 0; r < rows.m_numRows; ++r)
 			add(rows.m_row[r].m_dof, rows.m_row[r].m_diagonal);
 	}
-	btScalar square = energy > 0 ? btMin(axial, btScalar(exp(sum / energy))) : axial;
+	btScalar square = axial;
+	if (energy > 0)
+	{
+		const double unresolved = fmin(1, double(elongationOverYield(motion)) / RESOLVED_ELONGATION);
+		btSetMin(square, btScalar(exp((1 - unresolved) * sum / energy + unresolved * log(double(axial)))));
+	}
 	for (int shear = 0; shear < 2; ++shear)
 		if (m_shearRow[shear] >= 0)
 			btSetMax(square, capacity.m_stiffness[BT_EP_SHEAR_Y + shear] * rows.m_row[m_shearRow[shear]].m_diagonal);

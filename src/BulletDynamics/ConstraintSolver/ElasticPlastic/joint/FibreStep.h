@@ -161,6 +161,7 @@ private:
 		btScalar m_rate, m_rateShare;  ///< see btElasticPlasticFibreState
 	};
 
+	btScalar elongationOverYield(const Motion& motion) const;
 	/// That by which the scheme is chosen. \param diagonal  A of the axial row
 	btScalar squareOfFrequency(const Motion& motion, btScalar diagonal, const JointRows& rows) const;
 	void findResponse(const Motion& motion, btScalar diagonal);

@@ -215,6 +215,15 @@ struct JointModel
 		return m_bearing[fibre].m_tension == 0 || m_state.m_fibres[fibre].m_isCracked;
 	}
 
+	/// Whether any that is left does.
+	bool anyBearsPressureOnly() const
+	{
+		for (int i = 0; i < m_bearing.size(); ++i)
+			if (bearsPressureOnly(i) && !m_state.m_fibres[i].isRuptured())
+				return true;
+		return false;
+	}
+
 	/// Whether a fibre has a part in what the section bears: neither ruptured nor open.
 	bool bears(int fibre) const
 	{
