@@ -154,10 +154,45 @@ TEST(Softening, UnloadsByTheSpringAndBearsPressureWhenItHasClosed)
 		bar.step(0.01, dt);
 	EXPECT_FALSE(bar.isApart());
 	EXPECT_NEAR(WORK, bar.plasticEnergy(), 0.01 * WORK);
+	// It is open now, and closes where it was whole.
+	while (elongation() > 0 && bar.m_joints[0]->getForce(BT_EP_AXIAL) >= 0)
+		bar.step(-0.01, dt);
+	EXPECT_NEAR(0, elongation(), 0.01 * dt + 2e-7);
 	for (int i = 0; i < 120; ++i)
 		bar.step(-0.01, dt);
+	EXPECT_NEAR(stiffness * elongation(), force(), rounding);
 	EXPECT_LT(force(), -2 * TENSION * SIDE * SIDE);
 	EXPECT_NEAR(WORK, bar.plasticEnergy(), 0.01 * WORK);
+}
+
+TEST(Softening, ClosesWhereItHasBeenCrushedTo)
+{
+	// Pressed beyond its strength first, and once more when it is half open: the crack is what it was stretched by.
+	PulledBar bar;
+	const double stiffness = YOUNGS * SIDE * SIDE, dt = 1. / 4800;
+	const auto elongation = [&] { return double(bar.m_last->getCenterOfMassPosition().x()) - 1; };
+	const auto state = [&]() -> const btElasticPlasticFibreState& { return bar.m_joints[0]->getState().m_fibres[0]; };
+	const auto press = [&](double crushed)
+	{
+		while (bar.m_joints[0]->getPlasticPath(BT_EP_AXIAL) < btScalar(crushed))
+			bar.step(-0.01, dt);
+	};
+	press(1e-4);
+	while (double(state().m_damage) < 0.5)
+		bar.step(0.01, dt);
+	const double stretched = double(state().m_path) - 1e-4;
+	press(double(state().m_path) + 5e-5);
+	const double crushed = double(state().m_path) - stretched;
+	while (!state().m_isCracked && !bar.isApart())
+		bar.step(0.01, dt);
+	ASSERT_FALSE(bar.isApart());
+	while (bar.m_joints[0]->getForce(BT_EP_AXIAL) >= 0)
+		bar.step(-0.01, dt);
+	EXPECT_NEAR(-crushed, elongation(), 0.01 * dt + 4e-7);
+	for (int i = 0; i < 20; ++i)
+		bar.step(-0.01, dt);
+	EXPECT_NEAR(stiffness * (elongation() + crushed), double(bar.m_joints[0]->getForce(BT_EP_AXIAL)),
+				byPrecision(0.002, 0.02) * TENSION * SIDE * SIDE + stiffness * 4e-7);
 }
 
 TEST(Softening, TellsWhatIsWrong)

@@ -19,8 +19,9 @@ struct btElasticPlasticFibre
 	btScalar m_tension =
 		0;  ///< force at which it flows when it is stretched [N], finite, >= 0; 0: it opens, and closes again
 	btScalar m_compression = 0;  ///< the same when it is pressed [N]; not both 0
-	/// Plastic elongation at which it ruptures [m], > 0. If it is weaker in tension than in compression it cracks there: it opens
-	/// without a force and bears again where it closes. A joint all of whose fibres gape wider than this is broken.
+	/// Plastic elongation at which it ruptures [m], > 0. If it is weaker in tension than in compression it cracks there: all of this is the width
+	/// of the crack, which opens further without a force, and bears again where it is closed. A joint all of whose fibres gape wider than this is
+	/// broken, of fibres that had to be torn for it twice as wide.
 	btScalar m_stretchLimit = btScalar(BT_LARGE_FLOAT);
 	btScalar m_crushLimit = btScalar(BT_LARGE_FLOAT);  ///< plastic shortening at which it is crushed [m], > 0
 	bool m_softens = false;  ///< its strength in tension falls linearly as its damage grows, to 0 at 1

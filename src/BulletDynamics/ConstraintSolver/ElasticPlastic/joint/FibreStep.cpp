@@ -630,13 +630,24 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 	}
 }
 
+/// How far a fibre has been stretched beyond yield, whatever it has been pressed since, by the share of its ductility that this has spent:
+/// d = t / t_u + (p - t) / c_u of the path p.
+double FibreStep::stretchOf(int i) const
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+	const double path = state.m_path, most = fmin(path, double(fibre.m_stretchLimit)),
+				 byPath = 1 / double(fibre.m_crushLimit), apart = 1 / double(fibre.m_stretchLimit) - byPath;
+	return apart > 0 ? fmax(0, fmin(most, (double(state.m_damage) - path * byPath) / apart)) : most;
+}
+
 /// A fibre's flow: what it dissipates and what it spends of the ductility. Nothing flows that the ductility does not allow.
 void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
 {
 	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 	btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
 	const double spent = fabs(increment) / double(increment > 0 ? fibre.m_stretchLimit : fibre.m_crushLimit),
-				 left = 1 - double(state.m_damage);
+				 left = 1 - double(state.m_damage), stretched = stretchOf(i);
 	outcome.m_flowed = true;
 	outcome.m_plasticEnergy += fabs(force * increment) * (spent > left ? left / spent : 1);
 	state.m_offset += btScalar(increment);
@@ -649,6 +660,10 @@ void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
 	{
 		state.m_isCracked = true;
 		state.m_damage = 0;
+		// All of the stretch is the crack's width, and where that is 0 its faces meet.
+		const double width = stretched + increment;
+		state.m_offset -= btScalar(width);
+		m_mapped[i].m_increment = width;
 	}
 	noteLoss(i, left / spent);
 }
@@ -804,12 +819,18 @@ void FibreStep::dampEach(Outcome& outcome)
 	}
 }
 
-/// Ruptures what is left of a section that gapes wider throughout than its fibres stretch.
+/// Whether a fibre is open by more than it stretches; one that had to be torn for it, by as much again.
+bool FibreStep::isGaping(int i) const
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	return isOpen(i) && m_mapped[i].m_increment > (fibre.m_tension > 0 ? 2 : 1) * double(fibre.m_stretchLimit);
+}
+
+/// Ruptures what is left of a section all of whose fibres gape.
 void FibreStep::tearApart(Outcome& outcome)
 {
 	for (int i = 0; i < m_numFibres; ++i)
-		if (!m_model.m_state.m_fibres[i].isRuptured() &&
-			!(isOpen(i) && m_mapped[i].m_increment > double(m_model.m_capacity.m_fibres[i].m_stretchLimit)))
+		if (!m_model.m_state.m_fibres[i].isRuptured() && !isGaping(i))
 			return;
 	for (int i = 0; i < m_numFibres; ++i)
 	{

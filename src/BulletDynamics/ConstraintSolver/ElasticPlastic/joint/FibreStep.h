@@ -22,7 +22,8 @@ namespace btElasticPlastic
 /// that of Law.h, with bounds from its strengths in tension and in compression. All fibres have one alpha and beta, and so have the shears
 /// where these are coupled with bending: those of the axial row, the fastest, so that what a step does not resolve dies out. In inner steps that would
 /// take most of a bending that rings after a blow before it is flow. There it is the mean of all rows' frequencies, in their logarithms, weighted by how
-/// much of the joint's motion is in each. The offsets of fibres have no mean: what they have in common
+/// much of the joint's motion is in each; but that of the axial row where the step elongates the section further than it resolves, or a fibre bears
+/// pressure only: it opens by whatever it moves, and a force that the step knows from its beginning would work on all of that. The offsets of fibres have no mean: what they have in common
 /// is the joint's plastic deformation, by which the reference moves.
 ///
 /// The material's damping acts on each fibre as on a spring, with branches whose forces follow the fibre's and relax. At the end of a step only
@@ -137,11 +138,11 @@ private:
 	};
 	struct Mapped
 	{
-		double m_force;  ///< of the spring
-		double m_total;  ///< with the damping's branches
-		double m_increment;
-		double m_unloaded;  ///< given up, neither elastic nor plastic
-		btScalar m_change;  ///< of the spring's force in the step, once its state is taken
+		double m_force;      ///< of the spring
+		double m_total;      ///< with the damping's branches
+		double m_increment;  ///< of plastic elongation; of a crack: by which it gapes
+		double m_unloaded;   ///< given up, neither elastic nor plastic
+		btScalar m_change;   ///< of the spring's force in the step, once its state is taken
 	};
 
 	static DofState stateOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
@@ -173,6 +174,8 @@ private:
 	void findSteadyStrengths();
 	bool isOpen(int fibre) const { return m_mapped[fibre].m_increment > 0 && m_model.bearsPressureOnly(fibre); }
 	double flowForce(int fibre) const;
+	bool isGaping(int fibre) const;
+	double stretchOf(int fibre) const;
 	void flow(int fibre, double force, double increment, Outcome& outcome);
 	void damp(Outcome& outcome);
 	void dampTogether(const SectionForces& change, Outcome& outcome);
