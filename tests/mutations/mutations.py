@@ -88,7 +88,10 @@ MUTATIONS = [
     Mutation("open work", "OpenShare.cpp", "m_openWork += yield * length * change", "m_openWork += yield * length * change / 4",
              "*StepControl*:*OpenShare*:*InnerSteps*"),
     Mutation("a stop's steps one by one", "OpenShare.cpp", "MOST_STEPS_TO_REST = 25", "MOST_STEPS_TO_REST = 2", "InnerSteps.LetA*"),
-    Mutation("bending is damped as the axial spring", "FibreStep.cpp", "if (motion.m_isInner)", "if (false)", "InnerSteps.BendWhat*"),
+    Mutation("bending is damped as the axial spring", "FibreStep.cpp", "if (motion.m_isInner && !m_model.anyBearsPressureOnly())", "if (false)", "InnerSteps.BendWhat*"),
+    Mutation("what opens is damped as bending", "FibreStep.cpp", "if (motion.m_isInner && !m_model.anyBearsPressureOnly())", "if (motion.m_isInner)",
+             "Energy.OfFibres*"),
+    Mutation("a torn crack is a wedge", "FibreStep.cpp", "state.m_offset -= btScalar(width);", "", "Softening.Closes*"),
     Mutation("coarser too soon", "btElasticPlasticStepControl.cpp", "m_calm >= CALM_STEPS * m_dt", "m_calm >= 0 * CALM_STEPS * m_dt",
              "*StepControl*"),
 ]

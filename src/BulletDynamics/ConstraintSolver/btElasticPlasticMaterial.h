@@ -62,7 +62,7 @@ struct btElasticPlasticMaterial
 	btScalar m_tensileShare = btScalar(1);
 	btScalar m_crushingStrain = 0;  ///< plastic strain at which fibres are crushed, > 0; 0: as when they tear
 	/// Stress over plastic strain in a test in one direction, linear between points, from f_y at 0 on; beyond the last point it stays. None:
-	/// f_y. Only fibres know it.
+	/// f_y. If it is isotropic it may fall, and takes up the less the finer a member is cut. Only fibres know it.
 	btAlignedObjectArray<btElasticPlasticHardeningPoint> m_hardening;
 	/// How much of the hardening is kinematic, 0 to 1: that part moves the range between yield in tension and in compression, so that what
 	/// was stretched yields the earlier when it is pressed (Bauschinger); the rest widens the range. Above 0 the curve must rise
