@@ -300,8 +300,8 @@ TEST(Energy, OfTorsionThatRingsBesideABowIsNotMade)
 TEST(Energy, OfFibresThatOpenIsNotMade)
 {
 	// Two free parts whose velocities do not fit together, on a section that bears no tension: a force that a step knew from its beginning pressed them apart while
-	// fibres opened, further than a step by bending's frequency resolves. They moved faster by up to 1.7 % of their energy.
-	for (unsigned seed = 0; seed < 150; ++seed)
+	// fibres opened, further than a step by bending's frequency resolves. Of 3000 twelve moved faster, by up to 6.5 % of their energy, if that went by bending alone.
+	for (unsigned seed = 0; seed < 250; ++seed)
 	{
 		std::mt19937 engine(seed);
 		const auto within = [&](double from, double to) { return from + (to - from) * double(engine()) / 4294967296.; };
