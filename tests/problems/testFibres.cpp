@@ -716,6 +716,28 @@ TEST(Fibres, ThatCrackBearWhenTheyHaveClosed)
 	EXPECT_EQ(0, force());
 }
 
+TEST(Fibres, ThatCrackCloseWhereTheyHaveBeenCrushedTo)
+{
+	// Pressed by half a millimetre, of which 0.2 mm are elastic, and torn then: whatever share of the ductility the pressing has spent.
+	for (const double crushLimit : {0.1, 1e-3, 7e-4})
+	{
+		btElasticPlasticCapacity capacity = brick(0.1);
+		for (int i = 0; i < capacity.m_fibres.size(); ++i)
+			capacity.m_fibres[i].m_crushLimit = btScalar(crushLimit);
+		PulledBody pulled(capacity);
+		const auto elongation = [&] { return double(pulled.m_body->getCenterOfMassPosition().x()) - 0.5; };
+		pulled.pull(-0.01, 24);
+		while (!pulled.m_joint->getState().m_fibres[0].m_isCracked && !pulled.m_joint->isBroken())
+			pulled.pull(0.01, 1);
+		ASSERT_FALSE(pulled.m_joint->isBroken()) << crushLimit;
+		EXPECT_EQ(0, pulled.m_joint->getForce(BT_EP_AXIAL));
+		while (!(pulled.m_joint->getForce(BT_EP_AXIAL) < 0) && elongation() > -2e-3)
+			pulled.pull(-0.01, 1);
+		// To a step.
+		EXPECT_NEAR(-0.3e-3, elongation(), 0.01 / 480 + 1e-6) << crushLimit;
+	}
+}
+
 TEST(Fibres, OfASectionThatGapesThroughoutBreakTheJoint)
 {
 	// Nothing has ever flowed: the section is apart by more than the 1 mm that its fibres stretch.

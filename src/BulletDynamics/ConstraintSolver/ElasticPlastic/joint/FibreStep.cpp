@@ -630,15 +630,15 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 	}
 }
 
-/// How far a fibre has been stretched beyond yield, whatever it has been pressed since, by the share of its ductility that this has spent:
-/// d = t / t_u + (p - t) / c_u of the path p.
+/// How far a fibre has been stretched beyond yield, whatever it has been pressed since: both together are its path, and what is left of the
+/// one by the other its plastic elongation.
 double FibreStep::stretchOf(int i) const
 {
-	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
-	const double path = state.m_path, most = fmin(path, double(fibre.m_stretchLimit)),
-				 byPath = 1 / double(fibre.m_crushLimit), apart = 1 / double(fibre.m_stretchLimit) - byPath;
-	return apart > 0 ? fmax(0, fmin(most, (double(state.m_damage) - path * byPath) / apart)) : most;
+	const double path = state.m_path,
+				 left = double(planeOf(m_model.m_state.m_plastic).at(m_model.m_capacity.m_fibres[i])) +
+						double(state.m_offset);
+	return fmax(0, fmin((path + left) / 2, path));
 }
 
 /// A fibre's flow: what it dissipates and what it spends of the ductility. Nothing flows that the ductility does not allow.
