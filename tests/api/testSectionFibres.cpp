@@ -398,6 +398,7 @@ TEST(SectionFibres, NumbersThatNoFibreCanHave)
 		EXPECT_TRUE(bad.fault()) << i;
 	}
 }
+
 TEST(SectionFibres, WhatWasAddedIsNotLostByCuttingAgain)
 {
 	const btElasticPlasticMaterial steel = btElasticPlasticMaterial::steel(btScalar(250e6));

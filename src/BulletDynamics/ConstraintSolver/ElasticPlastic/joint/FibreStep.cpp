@@ -647,7 +647,7 @@ void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
 	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 	btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
 	const double spent = fabs(increment) / double(increment > 0 ? fibre.m_stretchLimit : fibre.m_crushLimit),
-				 left = 1 - double(state.m_damage), stretched = stretchOf(i);
+				 left = 1 - double(state.m_damage);
 	outcome.m_flowed = true;
 	outcome.m_plasticEnergy += fabs(force * increment) * (spent > left ? left / spent : 1);
 	state.m_offset += btScalar(increment);
@@ -661,7 +661,7 @@ void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
 		state.m_isCracked = true;
 		state.m_damage = 0;
 		// All of the stretch is the crack's width, and where that is 0 its faces meet.
-		const double width = stretched + increment;
+		const double width = stretchOf(i);
 		state.m_offset -= btScalar(width);
 		m_mapped[i].m_increment = width;
 	}
