@@ -702,7 +702,8 @@ TEST(Fibres, ThatCrackBearWhenTheyHaveClosed)
 	pulled.pull(0.01, 26);
 	EXPECT_TRUE(pulled.m_joint->getState().m_fibres[0].m_isCracked);
 	EXPECT_EQ(0, force());
-	EXPECT_EQ(0, pulled.m_joint->getDamage());
+	// But for rounding, nothing has been crushed.
+	EXPECT_NEAR(0, double(pulled.m_joint->getDamage()), byPrecision(1e-15, 1e-6));
 	// Told when bodies have given it; of what they still owe when all fibres crack in one step, half in each step.
 	pulled.pull(0, 40);
 	expectClose(1e3 * 1e-3, pulled.m_joint->getPlasticEnergy(), byPrecision(1e-9, 1e-4));

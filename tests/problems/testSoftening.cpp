@@ -19,13 +19,13 @@ using namespace ep;
 const double SIDE = 0.1, TENSION = 3e6, COMPRESSION = 30e6, YOUNGS = 30e9, ENERGY = 1000;
 const double WIDTH = 2 * ENERGY / TENSION, WORK = SIDE * SIDE * ENERGY;  // of an open crack [m], [J]
 
-btElasticPlasticMaterial concrete(double strength = 1)
+btElasticPlasticMaterial concrete(double strength = 1, double crushingStrain = 0.1)
 {
 	btElasticPlasticMaterial concrete;
 	concrete.m_youngsModulus = btScalar(YOUNGS);
 	concrete.m_yieldStress = btScalar(COMPRESSION * strength);
 	concrete.m_tensileShare = btScalar(TENSION / COMPRESSION);
-	concrete.m_crushingStrain = btScalar(0.1);
+	concrete.m_crushingStrain = btScalar(crushingStrain);
 	concrete.m_fractureEnergy = btScalar(ENERGY);
 	concrete.m_dampingRatio = 0;  // the branch is that of slow motion
 	return concrete;
@@ -48,7 +48,7 @@ struct PulledBar
 	btRigidBody* m_last;
 	std::vector<btElasticPlasticJoint*> m_joints;
 
-	explicit PulledBar(int pieces = 1) : m_world(Solver::Direct, btVector3(0, 0, 0))
+	explicit PulledBar(int pieces = 1, double crushingStrain = 0.1) : m_world(Solver::Direct, btVector3(0, 0, 0))
 	{
 		btRigidBody* before = m_world.body(0, m_world.box(btVector3(1, 1, 1)), at(0), false);
 		const double length = 1. / pieces;
@@ -61,8 +61,8 @@ struct PulledBar
 			// One is the weakest, or chance would decide.
 			m_joints.push_back(
 				m_world.joint(*before, *body, at(btScalar((i + 0.5) * length)),
-							  btElasticPlasticCapacity::fromMember(concrete(i == pieces / 2 ? 1 : 1.02), section(),
-																   btScalar(length), btScalar(length))));
+							  btElasticPlasticCapacity::fromMember(concrete(i == pieces / 2 ? 1 : 1.02, crushingStrain),
+																   section(), btScalar(length), btScalar(length))));
 			before = body;
 		}
 		m_last = before;
@@ -195,6 +195,44 @@ TEST(Softening, ClosesWhereItHasBeenCrushedTo)
 		bar.step(-0.01, dt);
 	EXPECT_NEAR(stiffness * (elongation() + crushed), double(bar.m_joints[0]->getForce(BT_EP_AXIAL)),
 				byPrecision(0.002, 0.02) * TENSION * SIDE * SIDE + stiffness * byPrecision(1e-9, 1e-6));
+}
+
+TEST(Softening, WhatIsTornAsItIsPressedBearsWhatItHasNotBeenCrushedBy)
+{
+	// Half torn, and then crushed until both together have spent it: a crack whose faces are together, which bears on as any.
+	const double limit = 1e-3, dt = 1. / 4800;
+	PulledBar bar(1, limit);
+	const auto state = [&]() -> const btElasticPlasticFibreState& { return bar.m_joints[0]->getState().m_fibres[0]; };
+	const auto force = [&] { return double(bar.m_joints[0]->getForce(BT_EP_AXIAL)); };
+	while (double(state().m_damage) < 0.5)
+		bar.step(0.01, dt);
+	const double stretched = double(state().m_path), worn = double(state().m_damage);
+	while (!state().m_isCracked && !bar.isApart())
+		bar.step(-0.01, dt);
+	ASSERT_FALSE(bar.isApart());
+	const double strength = COMPRESSION * SIDE * SIDE;
+	EXPECT_NEAR(-strength, force(), byPrecision(1e-9, 1e-4) * strength);
+	const auto crushed = [&] { return (double(state().m_path) - stretched) / limit; };
+	EXPECT_NEAR(1 - worn, crushed(), 0.01 * dt / limit);
+	EXPECT_NEAR(crushed(), double(state().m_damage), byPrecision(1e-9, 1e-3));
+	while (!bar.isApart() && crushed() < 2)
+		bar.step(-0.01, dt);
+	EXPECT_NEAR(1, crushed(), 0.01 * dt / limit);
+	EXPECT_NEAR(WORK * worn * (2 - worn) + strength * limit, bar.plasticEnergy(), 0.01 * strength * limit);
+}
+
+TEST(Softening, RemembersWhatItHasBeenCrushedByAsItIsTorn)
+{
+	const double limit = 1e-3, dt = 1. / 4800;
+	PulledBar bar(1, limit);
+	const auto state = [&]() -> const btElasticPlasticFibreState& { return bar.m_joints[0]->getState().m_fibres[0]; };
+	while (double(state().m_damage) < 0.25)
+		bar.step(-0.01, dt);
+	const double crushed = double(state().m_path);
+	while (!state().m_isCracked && !bar.isApart())
+		bar.step(0.01, dt);
+	ASSERT_FALSE(bar.isApart());
+	EXPECT_NEAR(crushed / limit, double(state().m_damage), byPrecision(1e-9, 1e-3));
 }
 
 TEST(Softening, TellsWhatIsWrong)

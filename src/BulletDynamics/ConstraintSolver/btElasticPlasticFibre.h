@@ -88,7 +88,7 @@ struct btElasticPlasticFibreState
 	btScalar m_path = 0;  ///< sum of its plastic elongations and shortenings [m]
 	btScalar m_rate = 0;  ///< of its elongation at the beginning of the last step, if its strength knows a rate [m/s]
 	btScalar m_rateShare = 0;  ///< by which it was stronger in that step than at rest
-	/// Torn by tension, and weaker in tension than in compression: it opens without a force now, and bears where it has closed.
+	/// Its ductility was spent, and it is weaker in tension than in compression: it opens without a force now, and bears where it has closed.
 	bool m_isCracked = false;
 
 	bool isRuptured() const { return m_damage >= 1; }

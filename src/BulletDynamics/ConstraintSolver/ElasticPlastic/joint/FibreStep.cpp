@@ -21,6 +21,9 @@ const double WEIGHT_OF_IDLE = 1e-3;
 /// A step that elongates a section by this share of what it yields at, or by more, does not resolve it.
 const double RESOLVED_ELONGATION = 0.25;
 
+/// A fibre that has been crushed by this share of its ductility is gone. What its stretch is found from has been rounded.
+const double CRUSHED = 0.999;
+
 /// Newton's steps for a scalar equation; a few are enough.
 const int MOST_RATE_STEPS = 30;
 
@@ -647,25 +650,47 @@ void FibreStep::flow(int i, double force, double increment, Outcome& outcome)
 	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 	btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
 	const double spent = fabs(increment) / double(increment > 0 ? fibre.m_stretchLimit : fibre.m_crushLimit),
-				 left = 1 - double(state.m_damage);
+				 damage = double(state.m_damage), left = 1 - damage, dissipated = fabs(force * increment);
 	outcome.m_flowed = true;
-	outcome.m_plasticEnergy += fabs(force * increment) * (spent > left ? left / spent : 1);
 	state.m_offset += btScalar(increment);
 	state.m_path += btScalar(fabs(increment));
-	// Rounded up, as a joint's is. More than 1 tells nothing.
-	state.m_damage = btScalar(spent * (1 + double(SIMD_EPSILON)) < left ? double(state.m_damage) + spent : 1);
-	if (!state.isRuptured())
-		return;
-	if (increment > 0 && fibre.m_tension < fibre.m_compression)
+	// Rounded up, as a joint's is.
+	if (spent * (1 + double(SIMD_EPSILON)) < left)
 	{
-		state.m_isCracked = true;
-		state.m_damage = 0;
-		// All of the stretch is the crack's width, and where that is 0 its faces meet.
-		const double width = stretchOf(i);
-		state.m_offset -= btScalar(width);
-		m_mapped[i].m_increment = width;
+		outcome.m_plasticEnergy += dissipated;
+		state.m_damage = btScalar(damage + spent);
+		return;
 	}
-	noteLoss(i, left / spent);
+	// More than 1 tells nothing.
+	state.m_damage = 1;
+	double beyond = spent - left;
+	if (!state.m_isCracked && fibre.m_tension < fibre.m_compression)
+		beyond = crack(i, increment, damage + spent);
+	const double allowed = 1 - beyond / spent;
+	outcome.m_plasticEnergy += dissipated * allowed;
+	noteLoss(i, state.isRuptured() ? allowed : left / spent);
+}
+
+/// A fibre that is spent and is weaker in tension has been torn. By what it has been crushed beside, it is worn as any crack.
+/// \param increment  with which it is spent
+/// \param damage     with it
+/// \return by how much the increment is beyond the ductility
+double FibreStep::crack(int i, double increment, double damage)
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
+	const double stretch = stretchOf(i), crushed = fmax(0, damage - stretch / double(fibre.m_stretchLimit));
+	state.m_isCracked = crushed < CRUSHED;
+	state.m_damage = btScalar(state.m_isCracked ? crushed : 1);
+	if (increment < 0)
+		return fmax(0, crushed - 1);
+	// What is pressed has its faces together. Of what is pulled, all of the stretch is the crack's width, and where that is 0 they meet.
+	if (state.m_isCracked)
+	{
+		state.m_offset -= btScalar(stretch);
+		m_mapped[i].m_increment = stretch;
+	}
+	return damage - 1;
 }
 
 /// The mean of a fibre's force while it flows: of its strength before and after that.

@@ -177,6 +177,7 @@ private:
 	bool isGaping(int fibre) const;
 	double stretchOf(int fibre) const;
 	void flow(int fibre, double force, double increment, Outcome& outcome);
+	double crack(int fibre, double increment, double damage);
 	void damp(Outcome& outcome);
 	void dampTogether(const SectionForces& change, Outcome& outcome);
 	void dampEach(Outcome& outcome);
