@@ -92,6 +92,8 @@ MUTATIONS = [
     Mutation("what opens is damped as bending", "FibreStep.cpp", "if (motion.m_isInner && !m_model.anyBearsPressureOnly())", "if (motion.m_isInner)",
              "Energy.OfFibres*"),
     Mutation("a torn crack is a wedge", "FibreStep.cpp", "state.m_offset -= btScalar(stretch);", "", "Softening.Closes*"),
+    Mutation("a crack that is torn in one step takes nothing", "FibreStep.cpp", "return fmax(end, fmin(force, strength));", "return end;", "Softening.*"),
+    Mutation("what is being torn keeps what it bore in the step", "FibreStep.cpp", "	mapped.m_force = strength;\n", "", "Softening.*"),
     Mutation("a crack forgets what it has been crushed by", "FibreStep.cpp", "btScalar(state.m_isCracked ? crushed : 1)", "btScalar(state.m_isCracked ? 0 : 1)", "Softening.*"),
     Mutation("coarser too soon", "btElasticPlasticStepControl.cpp", "m_calm >= CALM_STEPS * m_dt", "m_calm >= 0 * CALM_STEPS * m_dt",
              "*StepControl*"),

@@ -132,6 +132,7 @@ TEST(Fire, HeatsPartsOfASectionEachByItself)
 	EXPECT_FALSE(cold.heated(none, 2).isElasticPlastic(BT_EP_AXIAL));
 	EXPECT_FALSE(cold.heated(none, 2).hasFibres());
 	EXPECT_STREQ("number of heats", cold.heated(none, 0).fault().m_quantity);
+	EXPECT_STREQ("address of the parts' heats", cold.heated(nullptr, 1).fault().m_quantity);
 	btElasticPlasticHeat bad;
 	bad.m_tensileShare = -1;
 	EXPECT_STREQ("what heat leaves in tension over strength", cold.heated(&bad, 1).fault().m_quantity);

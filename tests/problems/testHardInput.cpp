@@ -166,6 +166,19 @@ TEST(HardInput, SectionsAndLengths)
 	expectNames(Scene().refusalOf(from(Section::hollowRectangle(1, 2, btScalar(0.5)))), "section wall", "0.5",
 				"less than half");
 	expectNames(Scene().refusalOf(from(Section())), "section area", "is 0", "greater than 0");
+	// What is made by hand.
+	for (btScalar bad : {NOT_A_NUMBER, INFINITE, btScalar(-1), btScalar(0)})
+	{
+		Section section = Section::rectangle(1, 1).withFibres(16);
+		section.m_outerFibre[1] = bad;
+		expectNames(Scene().refusalOf(from(section)), "outer fibre from the axis along z", "is", "greater than 0");
+		section = Section::rectangle(1, 1).withFibres(16);
+		section.m_fibres[3].m_area = bad;
+		expectNames(Scene().refusalOf(from(section)), "area of a fibre", "is", "greater than 0");
+	}
+	Section nowhere = Section::rectangle(1, 1).withFibres(16);
+	nowhere.m_fibres[3].m_z = NOT_A_NUMBER;
+	expectNames(Scene().refusalOf(from(nowhere)), "place of a fibre of the section", "nan", "finite");
 	for (btScalar bad : {NOT_A_NUMBER, INFINITE, btScalar(-1)})
 	{
 		expectNames(Scene().refusalOf(btElasticPlasticCapacity::fromMember(steel, Section::circle(1), bad, 1)),

@@ -14,15 +14,21 @@ namespace
 /// Index of m_coupling: 0 of shear y and bending z, 1 of shear z and bending y.
 int planeOf(int dof) { return dof == BT_EP_SHEAR_Y || dof == BT_EP_BENDING_Z ? 0 : 1; }
 
-/// Of fibres whose material there is not, or whose bars' material is refused.
-btElasticPlasticFault faultOfMaterials(const btElasticPlasticSection& section)
+/// Of fibres that are none, or whose material there is not, or whose bars' material is refused.
+btElasticPlasticFault faultOfFibresOf(const btElasticPlasticSection& section)
 {
 	for (int i = 0; i < section.m_fibres.size(); ++i)
 	{
-		const int material = section.m_fibres[i].m_material;
-		if (material < 0 || material > section.m_materials.size())
-			return btElasticPlasticFault("material of a fibre of the section", btScalar(material),
+		const btElasticPlasticSectionFibre& fibre = section.m_fibres[i];
+		if (fibre.m_material < 0 || fibre.m_material > section.m_materials.size())
+			return btElasticPlasticFault("material of a fibre of the section", btScalar(fibre.m_material),
 										 "0, or the number of one of the section's materials");
+		for (const btScalar place : {fibre.m_y, fibre.m_z})
+			if (!btElasticPlasticIsFinite(double(place)))
+				return btElasticPlasticFault("place of a fibre of the section, y or z [m]", place, "finite");
+		if (btElasticPlasticFault f =
+				btElasticPlasticCheckPositive("area of a fibre of the section [m^2]", fibre.m_area))
+			return f;
 	}
 	for (int i = 0; i < section.m_materials.size(); ++i)
 		if (btElasticPlasticFault f = section.m_materials[i].fault())
@@ -131,8 +137,10 @@ btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlastic
 btElasticPlasticCapacity btElasticPlasticCapacity::heated(const btElasticPlasticHeat* ofParts, int count) const
 {
 	btElasticPlasticCapacity hot = *this;
-	if (!hot.m_fault && (!ofParts || count < 1))
-		hot.m_fault = btElasticPlasticFault("number of heats", btScalar(ofParts ? count : 0), "1 or more");
+	if (!hot.m_fault && !ofParts)
+		hot.m_fault = btElasticPlasticFault("address of the parts' heats", 0, "not null");
+	if (!hot.m_fault && count < 1)
+		hot.m_fault = btElasticPlasticFault("number of heats", btScalar(count), "1 or more");
 	for (int i = 0; i < count && !hot.m_fault; ++i)
 		hot.m_fault = faultOfHeat(ofParts[i]);
 	if (hot.m_fault)
@@ -390,9 +398,14 @@ btElasticPlasticCapacity btElasticPlasticCapacity::fromMember(const btElasticPla
 	if (!c.m_fault)
 		c.m_fault = section.m_fault;
 	if (!c.m_fault)
-		c.m_fault = faultOfMaterials(section);
+		c.m_fault = faultOfFibresOf(section);
 	if (!c.m_fault)
 		c.m_fault = btElasticPlasticCheckPositive("section area [m^2]", section.m_area);
+	for (int i = 0; i < 2 && !c.m_fault; ++i)
+		c.m_fault =
+			btElasticPlasticCheckPositive(i == 0 ? "distance of the section's outer fibre from the axis along y [m]"
+												 : "distance of the section's outer fibre from the axis along z [m]",
+										  section.m_outerFibre[i]);
 	if (!c.m_fault)
 		c.m_fault = btElasticPlasticCheckNotNegative("length of the first part [m]", lengthA);
 	if (!c.m_fault)

@@ -28,7 +28,7 @@ struct btElasticPlasticFibre
 	/// How its strength changes as it flows to and fro, points m_firstPoint to m_firstPoint + m_numPoints - 1 of
 	/// btElasticPlasticCapacity::m_curvePoints; none: it stays.
 	int m_firstPoint = 0, m_numPoints = 0;
-	/// Rate of its elongation at which it is twice as strong as at rest [m/s], >= 0, by 1 + (rate / m_rateReference)^(1 / m_rateExponent); 0:
+	/// Rate of its plastic elongation at which it is twice as strong as at rest [m/s], >= 0, by 1 + (rate / m_rateReference)^(1 / m_rateExponent); 0:
 	/// its strength knows no rate.
 	btScalar m_rateReference = 0;
 	btScalar m_rateExponent = 5;  ///< >= 1

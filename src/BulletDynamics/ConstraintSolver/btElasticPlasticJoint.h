@@ -157,7 +157,7 @@ public:
 	/// event; until then its bodies do not collide, if they did not while it held. One that the state makes hold again goes back
 	/// into its world.
 	/// \return false, with a message to the listener, and the joint stays as it is, if a number in it is not finite, a rotation not of unit length, a force
-	/// beyond the joint's yield value, a path, an energy or the step negative, or if the joint is to go back into its world and a body
+	/// beyond 64 times the joint's yield value or a fibre's strength, a path, an energy or the step negative, or if the joint is to go back into its world and a body
 	/// of it is in none
 	bool setState(const btElasticPlasticState& state);
 

@@ -24,6 +24,9 @@ const double RESOLVED_ELONGATION = 0.25;
 /// A fibre that has been crushed by this share of its ductility is gone. What its stretch is found from has been rounded.
 const double CRUSHED = 0.999;
 
+/// A fibre with this share of its strength has flowed in the step before.
+const double FLOWING = 0.999;
+
 /// Newton's steps for a scalar equation; a few are enough.
 const int MOST_RATE_STEPS = 30;
 
@@ -265,6 +268,30 @@ double FibreStep::flowInStep(int i, bool isPulled, double beyond, double stiffne
 	return flow + beyond / stiffness;
 }
 
+/// Steps that bear the strength at their end take up a crack's work, if they load it in several: one that loads and tears it takes none. In the step in
+/// which a fibre comes to its strength, from F0 to F1 over the elongation u and of the work W of spring and crack, bodies are to give W but for what
+/// steps before it have taken too much and those after it will. That is, by a mean force with the share alpha of the end's and with u in each of the steps,
+///
+///     alpha F = W / u - F0 / 2 + (alpha - 1/2) F1:
+///
+/// F = F1 once the fibre flows, but for rounding. No more than the strength; and if bodies slow down in the step it has taken less, but never more.
+/// \param elongation  in the step, if nothing slows it down [m]
+/// \param strength    at its beginning [N]
+/// \param end         at its end
+double FibreStep::tearingStrength(int i, const DofState& s, double elongation, double strength, double end) const
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	const double stiffness = double(fibre.m_stiffness), pulled = fmax(double(s.m_force), 0),
+				 under = fmax(-double(s.m_force), 0) / stiffness, length = elongation - under;
+	if (!(pulled < FLOWING * strength) || !(length > 0))
+		return end;
+	const double opened = (1 - end / strength) * fmax(1 - double(m_model.m_state.m_fibres[i].m_damage), 0) *
+						  double(fibre.m_stretchLimit),
+				 work = (strength + end) / 2 * opened + (end * end - pulled * pulled) / (2 * stiffness),
+				 alpha = double(m_alpha), force = (work / length - pulled / 2 + (alpha - 0.5) * end) / alpha;
+	return fmax(end, fmin(force, strength));
+}
+
 /// The strength that a fibre has at the end of the step, after what it may flow in it by its rate: as the force of any spring, a step's is that of
 /// its end, and the work of bodies, which they give by the mean of both ends' forces, is right but for the square of the step.
 FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Motion& motion) const
@@ -289,9 +316,18 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 				   beyondTension = force - stronger * strength.m_tension,
 				   beyond = btMax(beyondTension, -force - stronger * strength.m_compression);
 	if ((fibre.m_numPoints > 0 || fibre.m_softens) && beyond > 0)
-		static_cast<JointModel::FibreStrength&>(strength) = m_model.strengthOf(
-			i, btScalar(flowInStep(i, beyond == beyondTension, double(beyond),
-								   double(fibre.m_stiffness) * (1 + double(s.m_stiffening)), double(stronger))));
+	{
+		const bool isPulled = beyond == beyondTension;
+		const double flow = flowInStep(i, isPulled, double(beyond),
+									   double(fibre.m_stiffness) * (1 + double(s.m_stiffening)), double(stronger));
+		const JointModel::FibreStrength end = m_model.strengthOf(i, btScalar(flow));
+		if (fibre.m_softens && isPulled)
+			strength.m_tension =
+				btScalar(tearingStrength(i, s, double(m_dt * rate), double(strength.m_tension), double(end.m_tension)));
+		else
+			strength.m_tension = end.m_tension;
+		strength.m_compression = end.m_compression;
+	}
 	strength.m_tension *= stronger;
 	strength.m_compression *= stronger;
 	m_interaction.lessen(i, strength);
@@ -364,6 +400,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	findBranches();
 	const btScalar a = dt * dt * squareOfFrequency(motion, diagonal, rows);
 	const MeanForce scheme = MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
+	m_alpha = scheme.m_alpha;
 	const bool damps = !m_damping.isNone();
 	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha, stiffening = m_damping.getStiffening(),
 				   perStiffness = perTime / (alpha * (1 + stiffening));
@@ -693,6 +730,22 @@ double FibreStep::crack(int i, double increment, double damage)
 	return damage - 1;
 }
 
+/// Takes back what a fibre that is being torn bears beyond the strength that is left to it, see tearingStrength().
+void FibreStep::letGo(int i)
+{
+	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
+	Mapped& mapped = m_mapped[i];
+	if (!fibre.m_softens || m_model.m_state.m_fibres[i].m_isCracked || !(mapped.m_increment > 0))
+		return;
+	const JointModel::FibreStrength after = m_model.strengthOf(i, btScalar(mapped.m_increment));
+	const double strength = double(after.m_tension) * (1 + double(m_strength[i].m_rateShare)) *
+							double(m_interaction.getLeft(i, after).m_tension);
+	if (!(mapped.m_force > strength))
+		return;
+	mapped.m_increment += (mapped.m_force - strength) / double(fibre.m_stiffness);
+	mapped.m_force = strength;
+}
+
 /// The mean of a fibre's force while it flows: of its strength before and after that.
 double FibreStep::flowForce(int i) const
 {
@@ -748,7 +801,10 @@ void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outco
 		// A crack opens without a force, and closes where it has opened.
 		const bool opens = isOpen(i);
 		if (mapped.m_increment != 0 && !opens)
+		{
+			letGo(i);
 			flow(i, flowForce(i), mapped.m_increment, outcome);
+		}
 		outcome.m_hasMoved |= mapped.m_increment != 0;
 		state.m_offset += btScalar(opens ? 0 : mapped.m_unloaded);
 		const bool holds = !state.isRuptured() && !(m_model.bearsPressureOnly(i) && mapped.m_force > 0);
