@@ -94,8 +94,7 @@ struct btElasticPlasticSection
 	///               of 4 for each of its parts (an I-section 12: 5.3 %, 24: 1.7 %, 60: 0.7 %; a box 16: 2.8 %, 24: 1.2 %). A polygon takes as many as are
 	///               asked for, 36 by default, and some 100 for 1 %, which take it 20 ms, and 400 0.8 s. Each bolt is one.
 	/// \param withShear  whether shears and torsion yield together with them: all six forces are then right within 8 % of von Mises' theory
-	/// of a section that slips as a whole (a box whose walls warp bears less shear and torsion together, docs/limits.md),
-	///               and shear takes of the fibres' strength, by the walls that bear it. Of materials that are weaker in
+	///               of a section that slips as a whole (a box bears less shear and torsion together, docs/limits.md), and shear takes of the fibres' strength, by the walls that bear it. Of materials that are weaker in
 	///               tension pressure adds to it; those with less than a tenth, or with a friction, are left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where
 	///               they act together with the rest; a joint's step is an eighth to a quarter shorter where it is loaded beyond half of its strength
 	btElasticPlasticSection withFibres(int count = 0, bool withShear = true) const;

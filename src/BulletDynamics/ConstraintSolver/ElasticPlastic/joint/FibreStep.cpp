@@ -274,11 +274,14 @@ double FibreStep::flowInStep(int i, bool isPulled, double beyond, double stiffne
 ///
 ///     alpha F = W / u - F0 / 2 + (alpha - 1/2) F1:
 ///
-/// F = F1 once the fibre flows, but for rounding. No more than the strength; and if bodies slow down in the step it has taken less, but never more.
+/// F = F1 once the fibre flows, but for rounding. No more than the strength; and if bodies slow down in the step it has taken less, to a quarter of a body's energy
+/// that the crack would just have taken. Where the next step tears what this one has loaded it may be 12 % more.
 /// \param elongation  in the step, if nothing slows it down [m]
 /// \param strength    at its beginning [N]
 /// \param end         at its end
-double FibreStep::tearingStrength(int i, const DofState& s, double elongation, double strength, double end) const
+/// \param alpha       of the step's scheme, see Law.h
+double FibreStep::tearingStrength(int i, const DofState& s, double elongation, double strength, double end,
+								  double alpha) const
 {
 	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 	const double stiffness = double(fibre.m_stiffness), pulled = fmax(double(s.m_force), 0),
@@ -288,13 +291,13 @@ double FibreStep::tearingStrength(int i, const DofState& s, double elongation, d
 	const double opened = (1 - end / strength) * fmax(1 - double(m_model.m_state.m_fibres[i].m_damage), 0) *
 						  double(fibre.m_stretchLimit),
 				 work = (strength + end) / 2 * opened + (end * end - pulled * pulled) / (2 * stiffness),
-				 alpha = double(m_alpha), force = (work / length - pulled / 2 + (alpha - 0.5) * end) / alpha;
+				 force = (work / length - pulled / 2 + (alpha - 0.5) * end) / alpha;
 	return fmax(end, fmin(force, strength));
 }
 
 /// The strength that a fibre has at the end of the step, after what it may flow in it by its rate: as the force of any spring, a step's is that of
 /// its end, and the work of bodies, which they give by the mean of both ends' forces, is right but for the square of the step.
-FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Motion& motion) const
+FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Motion& motion, btScalar alpha) const
 {
 	const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 	Strength strength;
@@ -322,8 +325,8 @@ FibreStep::Strength FibreStep::strengthInStep(int i, const DofState& s, const Mo
 									   double(fibre.m_stiffness) * (1 + double(s.m_stiffening)), double(stronger));
 		const JointModel::FibreStrength end = m_model.strengthOf(i, btScalar(flow));
 		if (fibre.m_softens && isPulled)
-			strength.m_tension =
-				btScalar(tearingStrength(i, s, double(m_dt * rate), double(strength.m_tension), double(end.m_tension)));
+			strength.m_tension = btScalar(tearingStrength(i, s, double(m_dt * rate), double(strength.m_tension),
+														  double(end.m_tension), double(alpha)));
 		else
 			strength.m_tension = end.m_tension;
 		strength.m_compression = end.m_compression;
@@ -400,7 +403,6 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	findBranches();
 	const btScalar a = dt * dt * squareOfFrequency(motion, diagonal, rows);
 	const MeanForce scheme = MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
-	m_alpha = scheme.m_alpha;
 	const bool damps = !m_damping.isNone();
 	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha, stiffening = m_damping.getStiffening(),
 				   perStiffness = perTime / (alpha * (1 + stiffening));
@@ -419,7 +421,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		const btScalar known = scheme.known(s, dt), inverse = perStiffness / s.m_stiffness;
 		// With a state of its own: what a function gets by address does not stay in registers, and most fibres are steady.
 		const Strength strength =
-			areSteady ? steadyStrength(i, fibre, state) : strengthInStep(i, stateOf(i, strain), motion);
+			areSteady ? steadyStrength(i, fibre, state) : strengthInStep(i, stateOf(i, strain), motion, alpha);
 		if (!areSteady)
 			m_strength[i] = strength;
 		// As implicitRow(), with two bounds.

@@ -168,8 +168,9 @@ private:
 	void findResponse(const Motion& motion, btScalar diagonal);
 	double rateShareInStep(int fibre, double force, double rate, const JointModel::FibreStrength& strength) const;
 	double flowInStep(int fibre, bool isPulled, double beyond, double stiffness, double stronger) const;
-	double tearingStrength(int fibre, const DofState& s, double elongation, double strength, double end) const;
-	Strength strengthInStep(int fibre, const DofState& s, const Motion& motion) const;
+	double tearingStrength(int fibre, const DofState& s, double elongation, double strength, double end,
+						   double alpha) const;
+	Strength strengthInStep(int fibre, const DofState& s, const Motion& motion, btScalar alpha) const;
 	Strength steadyStrength(int i, const JointModel::BearingFibre& fibre,
 							const btElasticPlasticFibreState& state) const;
 	void findSteadyStrengths();
@@ -195,7 +196,6 @@ private:
 	SectionPlane m_branch[MaterialDamping::BRANCHES];  ///< in which the damping's branches have their forces then
 	btAlignedObjectArray<Damped> m_damped;
 	btScalar m_dt = 0;
-	btScalar m_alpha = 1;          ///< of the step's scheme, see Law.h
 	int m_shearRow[2] = {-1, -1};  ///< of the joint's rows that are coupled with the fibres, -1: none
 	int m_numFibres = 0;
 	btAlignedObjectArray<Strength> m_strength;  ///< for the step; not made of fibres that are steady until one flows
