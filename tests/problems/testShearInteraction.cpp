@@ -51,6 +51,13 @@ SectionSurface solidRectangle(double b, double h)
 	return s;
 }
 
+/// Walls that close a cell, by a warping with y z: of a box any one of them may slip by itself then.
+void mayWarp(SectionSurface& s)
+{
+	for (ShearCell& cell : s.m_cells)
+		cell.warping[0] = -cell.z * cell.slip[0][0] - cell.y * cell.slip[0][1];
+}
+
 SectionSurface ring(double r, double inner, bool isSolid)
 {
 	SectionSurface s;
@@ -76,6 +83,8 @@ SectionSurface ring(double r, double inner, bool isSolid)
 			s.m_cells.push_back(cell);
 		}
 	}
+	if (!isSolid)
+		mayWarp(s);
 	return s;
 }
 
@@ -105,6 +114,7 @@ SectionSurface box(double b, double h, double t)
 		addWall(s, side * (h - t) / 2, 0, t, b, side * (h - t) / 2);
 		addWall(s, 0, side * (b - t) / 2, h - 2 * t, t, -side * (b - t) / 2);
 	}
+	mayWarp(s);
 	return s;
 }
 
@@ -145,9 +155,16 @@ SectionSurface openWalls(const btElasticPlasticSection& section)
 	return all;
 }
 
+enum class Walls
+{
+	None,
+	Open,
+	Closed
+};
+
 /// A polygon in 1000 points and more, twisted as it is elastically, with a warping by y z beside. Points of walls are sheared along these, unless they slip
 /// elastically by more than 0.4 across, as at corners.
-SectionSurface finePolygon(const btElasticPlasticSection& section, bool hasWalls)
+SectionSurface finePolygon(const btElasticPlasticSection& section, Walls walls)
 {
 	const btElasticPlastic::Region region = btElasticPlastic::regionOf(section);
 	std::vector<btElasticPlastic::Region> pieces;
@@ -156,18 +173,31 @@ SectionSurface finePolygon(const btElasticPlasticSection& section, bool hasWalls
 	for (const btElasticPlastic::Region& piece : pieces)
 		btElasticPlastic::addPointsOf(piece.moments(), points);
 	const std::vector<btElasticPlastic::Slips> slips = btElasticPlastic::slipsOf(points);
+	// No part of the warping is a plane that turns.
+	double sumYY = 0, sumZZ = 0, sumYYZ = 0, sumYZZ = 0;
+	for (const btElasticPlastic::SectionPoint& p : points)
+	{
+		sumYY += p.m_area * p.m_y * p.m_y;
+		sumZZ += p.m_area * p.m_z * p.m_z;
+		sumYYZ += p.m_area * p.m_y * p.m_y * p.m_z;
+		sumYZZ += p.m_area * p.m_y * p.m_z * p.m_z;
+	}
+	const double offY = sumYZZ / sumZZ, offZ = sumYYZ / sumYY;
 	SectionSurface s;
 	for (size_t i = 0; i < points.size(); ++i)
 	{
 		const btElasticPlastic::SectionPoint& p = points[i];
 		const btElasticPlastic::Region::Point &a = slips[i].m_alongY, &b = slips[i].m_alongZ, &twist = slips[i].m_twist;
-		ShearCell cell = {p.m_y, p.m_z, p.m_area, {{1, 0, twist.m_y}, {0, 1, twist.m_z}}, {-p.m_z, -p.m_y}};
+		ShearCell cell = {p.m_y, p.m_z, p.m_area, {{1, 0, twist.m_y}, {0, 1, twist.m_z}}, {offZ - p.m_z, offY - p.m_y}};
 		const double yy = a.m_y * a.m_y + b.m_y * b.m_y, zz = a.m_z * a.m_z + b.m_z * b.m_z,
 					 yz = a.m_y * a.m_z + b.m_y * b.m_z, half = std::hypot((yy - zz) / 2, yz),
 					 turn = std::atan2(yz, (yy - zz) / 2) / 2, along[2] = {std::cos(turn), std::sin(turn)};
-		if (hasWalls && (yy + zz) / 2 - half < 0.4 * 0.4 * ((yy + zz) / 2 + half))
-			cell = {
-				p.m_y, p.m_z, p.m_area, {{along[0], along[1], along[0] * twist.m_y + along[1] * twist.m_z}, {}}, {}};
+		if (walls != Walls::None && (yy + zz) / 2 - half < 0.4 * 0.4 * ((yy + zz) / 2 + half))
+			cell = {p.m_y,
+					p.m_z,
+					p.m_area,
+					{{along[0], along[1], along[0] * twist.m_y + along[1] * twist.m_z}, {}},
+					{walls == Walls::Closed ? along[0] * cell.warping[0] + along[1] * cell.warping[1] : 0, 0}};
 		s.m_warped.push_back(cell);
 		for (double& w : cell.warping)
 			w = 0;
@@ -309,23 +339,24 @@ std::vector<Shape> polygons()
 		{"rectangle 1 : 2", solidRectangle(0.1, 0.2), polygon({rectangle(2, 1)}, unit).withFibres()},
 		{"rectangle 1 : 5", solidRectangle(0.1, 0.5), polygon({rectangle(5, 1)}, unit).withFibres()},
 		{"flat bar 1 : 15", solidRectangle(0.1, 1.5), polygon({rectangle(15, 1)}, unit).withFibres()}};
-	const auto add = [&](const char* name, const Section& section, bool hasWalls) {
-		shapes.push_back({name, finePolygon(section, hasWalls), section.withFibres()});
+	const auto add = [&](const char* name, const Section& section, Walls walls) {
+		shapes.push_back({name, finePolygon(section, walls), section.withFibres()});
 	};
-	add("triangle", polygon({{{0, 0}, {0, 1}, {1, 0}}}, unit), false);
-	add("hexagon", polygon({circle(1, 6)}, unit), false);
-	add("stout L", polygon({{{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}}}, unit), false);
-	add("box", polygon({rectangle(2, 1), rectangle(1.88, 0.88)}, unit), true);
+	add("triangle", polygon({{{0, 0}, {0, 1}, {1, 0}}}, unit), Walls::None);
+	add("hexagon", polygon({circle(1, 6)}, unit), Walls::None);
+	add("stout L", polygon({{{0, 0}, {0, 2}, {1, 2}, {1, 1}, {2, 1}, {2, 0}}}, unit), Walls::None);
+	add("box", polygon({rectangle(2, 1), rectangle(1.88, 0.88)}, unit), Walls::Closed);
 	add("trapezium with a hole",
-		polygon({{{0, 0}, {0, 3}, {2, 2.5}, {2, 0.5}}, {{0.4, 0.7}, {1.6, 0.8}, {1.6, 2.2}, {0.4, 2.3}}}, unit), true);
+		polygon({{{0, 0}, {0, 3}, {2, 2.5}, {2, 0.5}}, {{0.4, 0.7}, {1.6, 0.8}, {1.6, 2.2}, {0.4, 2.3}}}, unit),
+		Walls::Closed);
 	add("two cells",
 		polygon({{{0, 0}, {0, 8}, {2, 10}, {2, -2}},
 				 {{0.3, 0.5}, {1.7, 0.2}, {1.7, 3.8}, {0.3, 3.8}},
 				 {{0.3, 4.2}, {1.7, 4.2}, {1.7, 7.8}, {0.3, 7.5}}},
 				unit),
-		true);
+		Walls::Closed);
 	for (const Shape& walls : openShapes())
-		add(walls.m_name, drawn(walls.m_section), true);
+		add(walls.m_name, drawn(walls.m_section), Walls::Open);
 	return shapes;
 }
 
@@ -438,6 +469,39 @@ TEST(ShearInteraction, IsRightInAllDirectionsOfAllSixForces)
 			directions = repeats(300, 15);
 		expectRight(shape, directions);
 	}
+}
+
+TEST(ShearInteraction, OfThinClosedWallsLeavesShearWhatTorsionDoesNotTake)
+{
+	// Any thin wall may slip by itself: V / V_pl + T / T_pl = 1 (EN 1993-1-1, 6.2.7, eq. 6.28). A tube's wall may slip in parts, of which the library's warping
+	// has the first.
+	typedef btElasticPlasticSection Section;
+	const auto s = [](double x) { return btScalar(x); };
+	const Section sections[] = {Section::hollowRectangle(s(0.1), s(0.2), s(0.001)).withFibres(),
+								Section::hollowRectangle(s(0.1), s(0.1), s(0.001)).withFibres(),
+								Section::hollowRectangle(s(0.2), s(0.04), s(0.001)).withFibres(),
+								polygon({rectangle(2, 1), rectangle(1.96, 0.96)}, 0.1).withFibres(100),
+								polygon({rectangle(5, 1), rectangle(4.96, 0.96)}, 0.1).withFibres(100),
+								Section::hollowCircle(s(0.05), s(0.001)).withFibres()};
+	const auto isDrawn = [](const Section& section) { return section.m_parts.size() == 0; };
+	const auto borne = [](const Section& section, size_t shear, double shearShare, double torsionShare)
+	{
+		Loaded loaded(capacityOf(section));
+		SectionForces6 scaled = {};
+		scaled[shear] = shearShare;
+		scaled[BT_EP_TORSION] = torsionShare;
+		return shareBorne(loaded, scaled);
+	};
+	for (const Section& section : sections)
+		for (const double torsion : {0.1, 0.25, 0.5, 0.75, 0.9})
+			for (const size_t shear : {size_t(BT_EP_SHEAR_Y), size_t(BT_EP_SHEAR_Z)})
+				// The bound for all six forces. A tenth of a shear is left beside any torsion, so 0.105 measured with that much of it. Fibres
+				// at the corners of a drawn box slip in any direction, and stand for a part of its shorter walls: 0.145, and 0.175 of 1 : 5.
+				EXPECT_NEAR(1, borne(section, shear, 1 - torsion, torsion),
+							isDrawn(section) ? 0.18
+							: torsion > 0.8  ? 0.11
+											 : 0.08)
+					<< "section " << &section - sections << ", " << shear << " beside " << torsion;
 }
 
 TEST(ShearInteraction, IsRightInFlatSections)

@@ -37,29 +37,14 @@ class SectionSurface
 {
 public:
 	std::vector<ShearCell> m_cells;
-	std::vector<ShearCell> m_warped;  ///< with another field, which may warp as it likes; none: that alone
+	std::vector<ShearCell> m_warped;  ///< with another field of slips; none: that alone
 	double m_tension = 1;             ///< r, strength in tension over the one in compression, > 0
 
 	/// h(q), with the warping that makes it the least.
 	double support(const SectionForces6& q) const
 	{
-		Rates rates = {{q[0], q[1], q[2], q[3], q[4], q[5], 0}};
-		const double first = support(m_cells, rates, nullptr);
-		if (m_warped.empty())
-			return first;
-		// It warps by no more than it twists.
-		double from = -std::fabs(q[3]), to = std::fabs(q[3]);
-		const auto with = [&](double warping)
-		{
-			rates[6] = warping;
-			return support(m_warped, rates, nullptr);
-		};
-		for (int i = 0; i < 60 && from < to; ++i)
-		{
-			const double a = from + (to - from) / 3, b = to - (to - from) / 3;
-			(with(a) < with(b) ? to : from) = with(a) < with(b) ? b : a;
-		}
-		return std::min(first, with((from + to) / 2));
+		const double first = leastSupport(m_cells, q);
+		return m_warped.empty() ? first : std::min(first, leastSupport(m_warped, q));
 	}
 
 	/// The most that the section bears of each force, which is what it bears of it by itself where it is as strong in tension.
@@ -103,6 +88,34 @@ private:
 	double middle() const { return (m_tension - 1) / 2; }
 	double half() const { return (m_tension + 1) / 2; }
 	double squareOfShear() const { return half() * half() / (3 * m_tension); }
+
+	double leastSupport(const std::vector<ShearCell>& cells, const SectionForces6& q) const
+	{
+		Rates rates = {{q[0], q[1], q[2], q[3], q[4], q[5], 0}};
+		double slips = 0, warps = 0;
+		for (const ShearCell& c : cells)
+			for (size_t row = 0; row < 2; ++row)
+			{
+				slips =
+					std::max(slips, std::fabs(c.slip[row][0] * q[1] + c.slip[row][1] * q[2] + c.slip[row][2] * q[3]));
+				warps = std::max(warps, std::fabs(c.warping[row]));
+			}
+		if (!(warps > 0))
+			return support(cells, rates, nullptr);
+		// By its warping no cell slips by more than twice what another does without.
+		double from = -2 * slips / warps, to = -from;
+		const auto with = [&](double warping)
+		{
+			rates[6] = warping;
+			return support(cells, rates, nullptr);
+		};
+		for (int i = 0; i < 60 && from < to; ++i)
+		{
+			const double a = from + (to - from) / 3, b = to - (to - from) / 3;
+			(with(a) < with(b) ? to : from) = with(a) < with(b) ? b : a;
+		}
+		return with((from + to) / 2);
+	}
 
 	/// h(q). \param rates  gets the root of each cell
 	double support(const std::vector<ShearCell>& cells, const Rates& q, std::vector<double>* rates) const

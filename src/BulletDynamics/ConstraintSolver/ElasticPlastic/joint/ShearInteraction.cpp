@@ -19,6 +19,8 @@ const double LEAST_FLOW = 1e-3;
 /// none. With less room for a heated beam that hangs between its columns, steps of 1/60 s tear it by slip, which those of 1/500 s do not.
 const double MOST_ROOM = 0.1, MOST_SLIP = 0.05;
 const int SEARCHES = 12;
+/// Place of the warping among the slips of a fibre.
+const int WARPING = 3;
 /// What the last search has added to the share.
 const double CLOSE_ENOUGH = 1e-4;
 /// Share of what the section bears from which on it is taken to flow.
@@ -40,6 +42,9 @@ const double LEAST_LEFT = 1e-3;
 const double LEAST_EVEN = 0.1;
 /// Of walls that run at an angle to the section's axes, by how much one such direction outweighs the other.
 const double LEAST_ASKEW = 1e-3;
+/// Of how far the walls of a closed section slip by a twist on average, over how far they do as they turn about the axis as a whole: 1, and below 0.4 of
+/// an open one.
+const double LEAST_CLOSED = 0.4;
 /// Keeps what fibres on one line do not determine out of the way.
 const double NEXT_TO_NOTHING = 1e-9;
 }  // namespace
@@ -102,6 +107,26 @@ bool bearsShear(const btElasticPlasticFibre& fibre, btScalar friction)
 	return fibre.m_bearsShear && lesser > 0 &&
 		   (lesser == greater || (lesser >= btScalar(LEAST_EVEN) * greater && !(friction > 0)));
 }
+
+/// About which a section warps with y z, so that none of that is a plane that turns: it would be sheared as a whole then.
+struct WarpingAxis
+{
+	double m_y, m_z;
+};
+
+WarpingAxis warpingAxisOf(const btAlignedObjectArray<btElasticPlasticFibre>& fibres)
+{
+	double yy = 0, zz = 0, yyz = 0, yzz = 0;
+	for (int i = 0; i < fibres.size(); ++i)
+	{
+		const double y = fibres[i].m_y, z = fibres[i].m_z, weight = fibres[i].m_stiffness;
+		yy += weight * y * y;
+		zz += weight * z * z;
+		yyz += weight * y * y * z;
+		yzz += weight * y * z * z;
+	}
+	return {zz > 0 ? yzz / zz : 0, yy > 0 ? yyz / yy : 0};
+}
 }  // namespace
 
 /// Takes the fibres with what each of the six forces counts for in them, over what the section bears of it alone. A fibre of unequal strengths
@@ -116,8 +141,9 @@ bool ShearInteraction::collect(const JointModel& model)
 	if (!isAny)
 		return false;
 	m_fibres.clear();
-	double slips[3] = {}, most[3] = {}, askew = 0;
+	double slips[3] = {}, most[3] = {}, askew = 0, slipOfWalls = 0, turnOfWalls = 0;
 	m_isUneven = false;
+	const WarpingAxis axis = warpingAxisOf(capacity.m_fibres);
 	for (int k = 0; k < 3; ++k)
 		m_alone[k] = m_middle[k] = 0;
 	for (int i = 0; i < capacity.m_fibres.size(); ++i)
@@ -135,7 +161,8 @@ bool ShearInteraction::collect(const JointModel& model)
 					   0,
 					   1};
 		const double wall[2] = {double(own.m_wall[0]), double(own.m_wall[1])},
-					 twist[2] = {double(own.m_twist[0]), double(own.m_twist[1])};
+					 twist[2] = {double(own.m_twist[0]), double(own.m_twist[1])},
+					 warp[2] = {axis.m_z - double(own.m_z), axis.m_y - double(own.m_y)};
 		const bool isWall = wall[0] != 0 || wall[1] != 0;
 		fibre.m_numSlips = bearsShear(own, capacity.m_friction) ? (isWall ? 1 : 2) : 0;
 		m_isUneven |= fibre.m_numSlips > 0 && middle != 0;
@@ -144,13 +171,16 @@ bool ShearInteraction::collect(const JointModel& model)
 			fibre.m_slip[0][0] = wall[0];
 			fibre.m_slip[0][1] = wall[1];
 			fibre.m_slip[0][2] = wall[0] * twist[0] + wall[1] * twist[1];
+			fibre.m_slip[0][WARPING] = wall[0] * warp[0] + wall[1] * warp[1];
+			slipOfWalls += fibre.m_strength * fabs(fibre.m_slip[0][2]);
+			turnOfWalls += fibre.m_strength * fabs(wall[1] * double(own.m_y) - wall[0] * double(own.m_z));
 		}
 		else
 			for (int k = 0; k < fibre.m_numSlips; ++k)
 			{
 				fibre.m_slip[k][k] = 1;
 				fibre.m_slip[k][2] = twist[k];
-				fibre.m_slip[k][3] = middle != 0 ? -double(k == 0 ? own.m_z : own.m_y) : 0;
+				fibre.m_slip[k][WARPING] = warp[k];
 			}
 		for (int k = 0; k < 3; ++k)
 		{
@@ -164,11 +194,16 @@ bool ShearInteraction::collect(const JointModel& model)
 			askew += fibre.m_strength * slip[0] * slip[1];
 		m_fibres.push_back(fibre);
 	}
+	const bool isClosed = slipOfWalls > LEAST_CLOSED * turnOfWalls;
+	m_mayWarp = m_isUneven || isClosed;
+	for (Fibre& fibre : m_fibres)
+		if (!isClosed && !(m_isUneven && fibre.m_numSlips == 2))
+			fibre.m_slip[0][WARPING] = fibre.m_slip[1][WARPING] = 0;
 	const bool isAskew = fabs(askew) > LEAST_ASKEW * (most[0] + most[1]);
 	for (int k = 0; k < 3; ++k)
 	{
-		if (most[k] > 0 && (k < 2 ? isAskew : m_isUneven))
-			slips[k] = shearAlone(k, k < 2 ? 1 - k : 3, most[k]) * (slips[k] / most[k]);
+		if (most[k] > 0 && (m_mayWarp || (k < 2 && isAskew)))
+			slips[k] = shearAlone(k, most[k]) * (slips[k] / most[k]);
 		m_mostShare[k] = slips[k] > 0 ? most[k] / slips[k] : 1;
 	}
 	for (Fibre& fibre : m_fibres)
@@ -181,32 +216,51 @@ bool ShearInteraction::collect(const JointModel& model)
 	return slips[0] + slips[1] + slips[2] > 0;
 }
 
-/// What fibres bear of a shear alone, without one across it: the least of sum w |b q| with q = 1 in its direction, which a slip across it makes less
-/// where walls that are not alike run at an angle to it; or of torsion, which a warping makes less.
-/// \param least  that without such a slip
-double ShearInteraction::shearAlone(int along, int across, double least) const
+/// What fibres bear of a shear or of torsion alone: the least of sum w |b q| with q = 1 in its direction. A slip across a shear makes it less where walls that
+/// are not alike run at an angle to it, and a warping where they bear unequally.
+/// \param least  that without either
+double ShearInteraction::shearAlone(int along, double least) const
 {
-	double q = 0;
+	const int across[2] = {along < 2 ? 1 - along : WARPING, WARPING};
+	double q[2] = {}, strength = 0;
+	for (const Fibre& fibre : m_fibres)
+		strength += fibre.m_strength;
+	const double leastFlow = LEAST_FLOW * least / strength;
 	for (int i = 0; i < SEARCHES; ++i)
 	{
-		double sum = 0, both = 0, square = 0;
+		double sum = 0, both[2] = {}, squares[3] = {};
 		for (const Fibre& fibre : m_fibres)
 		{
-			const double flow = hypot(fibre.m_slip[0][along] + fibre.m_slip[0][across] * q,
-									  fibre.m_slip[1][along] + fibre.m_slip[1][across] * q);
-			sum += fibre.m_strength * flow;
-			const double weight = fibre.m_strength / btMax(flow, LEAST_FLOW);
+			double square = 0;
 			for (const auto& slip : fibre.m_slip)
 			{
-				both += weight * slip[along] * slip[across];
-				square += weight * slip[across] * slip[across];
+				const double own = slip[along] + slip[across[0]] * q[0] + slip[across[1]] * q[1];
+				square += own * own;
+			}
+			const double flow = sqrt(square), weight = fibre.m_strength / btMax(flow, leastFlow);
+			sum += fibre.m_strength * flow;
+			for (const auto& slip : fibre.m_slip)
+			{
+				const double a = slip[across[0]], b = slip[across[1]];
+				both[0] += weight * slip[along] * a;
+				both[1] += weight * slip[along] * b;
+				squares[0] += weight * a * a;
+				squares[1] += weight * a * b;
+				squares[2] += weight * b * b;
 			}
 		}
 		least = btMin(least, sum);
-		const double next = square > 0 ? -both / square : 0;
-		if (fabs(next - q) < CLOSE_ENOUGH)
+		// For torsion both are the warping.
+		const double aa = squares[0] > 0 ? squares[0] * (1 + NEXT_TO_NOTHING) : 1,
+					 bb = squares[2] > 0 ? squares[2] * (1 + NEXT_TO_NOTHING) : 1,
+					 determinant = aa * bb - squares[1] * squares[1];
+		const double next[2] = {(squares[1] * both[1] - bb * both[0]) / determinant,
+								(squares[1] * both[0] - aa * both[1]) / determinant};
+		const bool isFound = fabs(next[0] - q[0]) < CLOSE_ENOUGH && fabs(next[1] - q[1]) < CLOSE_ENOUGH;
+		q[0] = next[0];
+		q[1] = next[1];
+		if (isFound)
 			break;
-		q = next;
 	}
 	return least;
 }
@@ -218,19 +272,20 @@ double ShearInteraction::flowOf(const Fibre& fibre, const double q[6], bool with
 	{ return row[0] * x[0] + row[1] * x[1] + row[2] * x[2]; };
 	if (withNormal)
 		square += along(fibre.m_normal, q) * along(fibre.m_normal, q);
-	const double warping = m_isUneven ? along(m_warping, q + 3) : 0;
+	const double warping = m_mayWarp ? along(m_warping, q + 3) : 0;
 	for (int r = 0; r < fibre.m_numSlips; ++r)
 	{
 		const double* const row = fibre.m_slip[r];
-		const double slip = along(row, q + 3) + row[3] * warping;
+		const double slip = along(row, q + 3) + row[WARPING] * warping;
 		square += slip * slip;
 	}
 	return sqrt(square);
 }
 
-/// Fibres bear more shear under pressure, so a solid section that is bent slips more where it is pulled. It does that by a warping y z, which no force works
-/// on: the least of h(q) over the warping is what it bears. Without that a square with a tenth of its strength in tension bears up to 0.12 too much, and one of
-/// equal strengths some hundredths.
+/// A warping y z, on which no force works, has the section slip unevenly: the least of h(q) over the warping is what it bears. In a closed one any wall may slip by
+/// itself then, so that a box bears shear beside torsion by V / V_pl + T / T_pl = 1 (EN 1993-1-1, 6.28) and not a third more. Fibres of unequal strengths bear more
+/// shear under pressure, so a solid section that is bent slips more where it is pulled: without the warping a square with a tenth of its strength in tension bears
+/// up to 0.12 too much, and one of equal strengths some hundredths. Walls of an open section do not warp by it: each would bear its shear by itself.
 /// \param least  flow for which a fibre counts at least
 /// \param slip   of shears and torsion by themselves, loses what the warping takes
 void ShearInteraction::warp(double least, Matrix& slip)
@@ -241,9 +296,9 @@ void ShearInteraction::warp(double least, Matrix& slip)
 		const double weight = fibre.m_strength / btMax(fibre.m_flow, least);
 		for (const auto& row : fibre.m_slip)
 		{
-			square += weight * row[3] * row[3];
+			square += weight * row[WARPING] * row[WARPING];
 			for (int k = 0; k < 3; ++k)
-				both[k] += weight * row[3] * row[k];
+				both[k] += weight * row[WARPING] * row[k];
 		}
 	}
 	for (int k = 0; k < 3; ++k)
@@ -276,7 +331,7 @@ double ShearInteraction::search(const double force[6], double q[6])
 			for (int r = 0; r < fibre.m_numSlips; ++r)
 				slip.add(weight, fibre.m_slip[r]);
 		}
-		if (m_isUneven)
+		if (m_mayWarp)
 			warp(least, slip);
 		m_matrix = slip.inverse();
 		m_matrix.multiply(force + 3, q + 3);
@@ -348,7 +403,7 @@ double ShearInteraction::shareOf(const double force[6], const double q[6], doubl
 /// \param amount  of the way from where the forces are
 void ShearInteraction::follow(const JointModel& model, const double q[6], double amount)
 {
-	const double warping = m_isUneven ? m_warping[0] * q[3] + m_warping[1] * q[4] + m_warping[2] * q[5] : 0;
+	const double warping = m_mayWarp ? m_warping[0] * q[3] + m_warping[1] * q[4] + m_warping[2] * q[5] : 0;
 	double shear[3] = {};
 	for (size_t i = 0; i < m_fibres.size(); ++i)
 	{
@@ -370,7 +425,7 @@ void ShearInteraction::follow(const JointModel& model, const double q[6], double
 		for (const auto& row : fibre.m_slip)
 		{
 			const double stress =
-				fibre.m_strength * (row[0] * q[3] + row[1] * q[4] + row[2] * q[5] + row[3] * warping) / over;
+				fibre.m_strength * (row[0] * q[3] + row[1] * q[4] + row[2] * q[5] + row[WARPING] * warping) / over;
 			for (int k = 0; k < 3; ++k)
 				shear[k] += stress * row[k];
 		}

@@ -109,7 +109,7 @@ private:
 	bool collect(const JointModel& model);
 	double search(const double force[6], double q[6]);
 	void warp(double least, Matrix& slip);
-	double shearAlone(int along, int across, double least) const;
+	double shearAlone(int along, double least) const;
 	double flowOf(const Fibre& fibre, const double q[6], bool withNormal) const;
 	void findShares(const double force[6], double share, double bears);
 	double shareOf(const double force[6], const double q[6], double share) const;
@@ -122,6 +122,7 @@ private:
 	double m_mostShare[3];
 	double m_middle[3];                     ///< N, M_y, M_z in the middle of fibres of unequal strengths
 	bool m_isUneven = false;                ///< fibres that bear shear have unequal strengths
+	bool m_mayWarp = false;                 ///< they may slip unevenly by a warping
 	Matrix m_matrix;                        ///< of the last search, of shears and torsion, inverted
 	double m_warping[3];                    ///< by slips and the twist, in that search
 	double m_most = 0;                      ///< sum of w n with which it was made
