@@ -751,6 +751,35 @@ TEST(InnerSteps, AreTakenWhileTheBodiesOfABrokenJointPart)
 	EXPECT_TRUE(places[0] == places[1]) << "one beam knows nothing of what parts from the other";
 }
 
+TEST(InnerSteps, AreNotTakenByRubble)
+{
+	// Where no joint holds any more nothing is left that a blow could bend, though the bodies of one that is broken still part.
+	for (const bool isBroken : {false, true})
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		takeInnerSteps(world);
+		btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+		btRigidBody* const bodies[] = {world.body(100, cube, at(0), true), world.body(100, cube, at(0.9), true),
+									   world.body(100, cube, at(2.5), true)};
+		btElasticPlasticCapacity capacity = evenCapacity(1e7, 2e4);
+		for (btScalar& ductility : capacity.m_ductility)
+			ductility = btScalar(0.001);
+		btElasticPlasticJoint* const joint = world.joint(*bodies[0], *bodies[1], at(0.45), capacity);
+		if (isBroken)
+		{
+			bodies[0]->setLinearVelocity(btVector3(0, 3, 0));
+			run(world, 2);
+			ASSERT_TRUE(joint->isBroken());
+			ASSERT_EQ(1, world.bullet().getNumConstraints()) << "they part";
+			solverOf(world).resetStatistics();
+		}
+		bodies[2]->setLinearVelocity(btVector3(-20, 0, 0));
+		run(world, 5);
+		EXPECT_LT(bodies[1]->getLinearVelocity().x(), -1) << "it was struck";
+		EXPECT_EQ(isBroken, statisticsOf(world).m_innerSteps == 0);
+	}
+}
+
 TEST(InnerSteps, ThreadsChangeNoBit)
 {
 	std::vector<btVector3> places[2];

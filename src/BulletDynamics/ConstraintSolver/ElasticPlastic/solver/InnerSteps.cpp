@@ -81,7 +81,8 @@ btElasticPlasticState::InnerRhythm rhythmOf(const SolverGroup& island)
 	return rhythm;
 }
 
-/// Begins a step that may have inner ones. \return the joints' action, null if they do not have one in common that ends their steps
+/// Begins a step that may have inner ones. \return the joints' action, null if they do not have one in common that ends their steps, or if none of them holds: of
+/// rubble nothing is left that a blow could bend
 JointRegistry* beginJoints(const SolverGroup& island)
 {
 	JointRegistry* registry = nullptr;
@@ -93,7 +94,7 @@ JointRegistry* beginJoints(const SolverGroup& island)
 		if (!joint)
 			continue;
 		const bool isEnded = joint->beginInside();
-		if (joint->m_model.m_fault)
+		if (joint->m_model.m_fault || joint->m_model.m_state.m_broken)
 			continue;
 		registry = registry ? registry : joint->m_entry.m_registry;
 		isOne &= isEnded && joint->m_entry.m_registry == registry && !joint->m_model.m_isPaper;
