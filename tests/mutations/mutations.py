@@ -93,7 +93,6 @@ MUTATIONS = [
              "Energy.OfFibres*"),
     Mutation("a box slips as a whole", "ShearInteraction.cpp", "isClosed = slipOfWalls > LEAST_CLOSED * turnOfWalls", "isClosed = false", "ShearInteraction.OfThin*"),
     Mutation("an open section warps", "ShearInteraction.cpp", "isClosed = slipOfWalls > LEAST_CLOSED * turnOfWalls", "isClosed = true", "ShearInteraction.*"),
-    Mutation("what warps is a plane that turns", "ShearInteraction.cpp", "{zz > 0 ? yzz / zz : 0, yy > 0 ? yyz / yy : 0}", "{0, 0}", "ShearInteraction.*"),
     Mutation("a torn crack is a wedge", "FibreStep.cpp", "state.m_offset -= btScalar(stretch);", "", "Softening.Closes*"),
     Mutation("a crack that is torn in one step takes nothing", "FibreStep.cpp", "return fmax(end, fmin(force, strength));", "return end;", "Softening.*"),
     Mutation("what is being torn keeps what it bore in the step", "FibreStep.cpp", "	mapped.m_force = strength;\n", "", "Softening.*"),
