@@ -7,6 +7,7 @@
 
 #include "LinearMath/btScalar.h"
 #include "trials/Catalogue.h"
+#include "support/DirectSolver.h"
 #include "support/Repeats.h"
 
 namespace testHardTrials
@@ -26,7 +27,11 @@ TEST_P(HardTrials, DirectSolverIsRight)
 	{
 		Method method(Solver::Direct);
 		method.jointClass = jointClass;
-		const std::string complaint = GetParam().run(method).complaint();
+		long long cutSearches = 0;
+		const Watch watch = [&](World& world, double)
+		{ cutSearches = std::max(cutSearches, statisticsOf(world).m_cutSearches); };
+		const std::string complaint = GetParam().run(method, watch).complaint();
+		EXPECT_EQ(0, cutSearches);
 		if (GetParam().limitOfFloat && sizeof(btScalar) == 4)
 		{
 			EXPECT_NE("", complaint) << "no limit any more: " << GetParam().limitOfFloat;

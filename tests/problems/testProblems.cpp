@@ -86,7 +86,15 @@ TEST_P(Problems, DirectSolverIsRight)
 	{
 		Stepping stepping;
 		stepping.step = 1 / rate;
+		long long cutSearches = 0, islands = 0;
+		stepping.watch = [&](World& world, double)
+		{
+			cutSearches = std::max(cutSearches, statisticsOf(world).m_cutSearches);
+			islands = std::max(islands, statisticsOf(world).m_islands);
+		};
 		const Outcome outcome = problem->solve(withoutInnerSteps(), stepping);
+		EXPECT_GT(islands, 0);
+		EXPECT_EQ(0, cutSearches);
 		ASSERT_FALSE(outcome.quantities.empty());
 		EXPECT_LT(outcome.error(), rate < 500 ? bound.coarse : bound.fine)
 			<< outcome.worst().name << ": " << outcome.worst().value << " instead of " << outcome.worst().exact;

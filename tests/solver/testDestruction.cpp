@@ -16,6 +16,7 @@
 #include "solver/SmallDestruction.h"
 #include "support/AuditedPlay.h"
 #include "support/Precision.h"
+#include "support/Repeats.h"
 #include "support/Run.h"
 
 namespace testDestruction
@@ -103,15 +104,21 @@ struct Course
 		   m_beyondLoose = 0;  ///< friction beyond its bound where all contacts are solved exactly, and where not
 	double m_gain = 0, m_turnover = 0;  ///< energy: the largest gain of a step, and all that went to and fro
 
-	explicit Course(const SmallDestruction& scene)
+	long long m_cutSearches = 0, m_fallbacks = 0;
+
+	explicit Course(const SmallDestruction& scene, int fibres = 0)
 	{
-		Stage stage(scene.settings());
+		Stage::Settings settings = scene.settings();
+		settings.fibres = fibres;
+		Stage stage(settings);
 		scene.build(stage);
 		m_turnover = playAudited(stage, scene.frames,
 								 [&](double gain)
 								 {
 									 lookAtJoints(stage);
 									 lookAtContacts(stage);
+									 m_cutSearches += stage.solver()->getStatistics().m_cutSearches;
+									 m_fallbacks += stage.solver()->getStatistics().m_fallbacks;
 									 // Each inner step is one: in those of the free lattice, which spins, what long steps have left of the way to the side comes back.
 									 const double steps =
 										 std::max(1., double(stage.solver()->getStatistics().m_innerSteps));
@@ -200,6 +207,25 @@ TEST(Destruction, EnergyIsNotGained)
 			// In float a joint's force works against the rounding of its bodies' places: 1e5 N by 1e-6 m, at dozens of joints.
 			EXPECT_LE(course.m_gain, scene.gain * course.m_turnover + byPrecision(0, 1));
 		});
+}
+
+TEST(Destruction, OfSectionsThatYieldAsAWholeFailsInNoSearch)
+{
+	for (const SmallDestruction& scene : smallDestructions())
+	{
+		// The others with EP_LONG_TESTS only.
+		if (scene.name != std::string("frame that comes down") && !repeats(1, 0))
+			continue;
+		SCOPED_TRACE(scene.name);
+		const Course course(scene, 8);
+		EXPECT_EQ(0, course.m_cutSearches);
+		EXPECT_EQ(0, course.m_fallbacks);
+		EXPECT_TRUE(course.m_isFinite);
+		// The sum of fibres is rounded.
+		EXPECT_LE(course.m_mostOfYield, 1 + byPrecision(1e-12, 1e-6));
+		EXPECT_GE(course.m_least, 0.);
+		EXPECT_LE(course.m_gain, scene.gain * course.m_turnover + byPrecision(0, 1));
+	}
 }
 
 /// With all contacts solved exactly, and with those that come within the step.

@@ -167,7 +167,7 @@ struct BeamUnderBody
 		const int blocks = 9;
 		const double length = 0.5, thickness = 0.4, height = 3, size = 0.8;
 		const btElasticPlasticCapacity capacity =
-			rectangularMember(stage.concrete(m_yieldStress, 0.05), thickness, thickness, length, length);
+			stage.rectangularMember(stage.concrete(m_yieldStress, 0.05), thickness, thickness, length, length);
 		btCollisionShape* const shape =
 			stage.world().box(btVector3(btScalar(length - 0.01), btScalar(thickness), btScalar(thickness)));
 		const auto placeOf = [&](double i) { return btVector3(btScalar(i * length), btScalar(height), 0); };

@@ -24,9 +24,9 @@ public:
 		: m_stage(stage),
 		  m_building(building),
 		  m_material(stage.concrete(YIELD, STRAIN)),
-		  m_atNode(rectangularMember(m_material, THICKNESS, THICKNESS, PART_LENGTH, THICKNESS)),
-		  m_within(rectangularMember(m_material, THICKNESS, THICKNESS, PART_LENGTH, PART_LENGTH)),
-		  m_atSlab(rectangularMember(m_material, SLAB_EDGE, SLAB, 1, 1))
+		  m_atNode(stage.rectangularMember(m_material, THICKNESS, THICKNESS, PART_LENGTH, THICKNESS)),
+		  m_within(stage.rectangularMember(m_material, THICKNESS, THICKNESS, PART_LENGTH, PART_LENGTH)),
+		  m_atSlab(stage.rectangularMember(m_material, SLAB_EDGE, SLAB, 1, 1))
 	{
 		const double length = PART_LENGTH - 2 * Stage::GAP, width = THICKNESS - 2 * Stage::GAP,
 					 slab = PITCH - THICKNESS - 2 * Stage::GAP;

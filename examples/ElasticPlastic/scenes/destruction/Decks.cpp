@@ -20,7 +20,7 @@ public:
 		 double height)
 		: m_length(length), m_part(part), m_height(height)
 	{
-		const btElasticPlasticCapacity capacity = rectangularMember(material, part, thickness, part, part);
+		const btElasticPlasticCapacity capacity = stage.rectangularMember(material, part, thickness, part, part);
 		btCollisionShape* const shape =
 			stage.world().box(vector(part - 2 * Stage::GAP, thickness, part - 2 * Stage::GAP));
 		for (int z = 0; z < width; ++z)
@@ -50,7 +50,7 @@ private:
 void addLegs(Stage& stage, const Slab& slab, const btElasticPlasticMaterial& material, int side, int fromEdge,
 			 double part, double thickness, double height)
 {
-	const btElasticPlasticCapacity leg = rectangularMember(material, part, part, height, height);
+	const btElasticPlasticCapacity leg = stage.rectangularMember(material, part, part, height, height);
 	for (const int x : {fromEdge, side - 1 - fromEdge})
 		for (const int z : {fromEdge, side - 1 - fromEdge})
 			stage.join(stage.ground(), slab.at(x, z), slab.placeOf(x, z) - vector(0, thickness / 2, 0), Stage::Along::Y,
@@ -79,7 +79,7 @@ void Bridge::build(Stage& stage) const
 	const double part = 1, thickness = 0.5, height = 6, pier = 0.8;
 	const btElasticPlasticMaterial material = stage.concrete(25e6, 0.05);
 	const Slab slab(stage, material, length, width, part, thickness, height);
-	const btElasticPlasticCapacity end = rectangularMember(material, part, thickness, part, part);
+	const btElasticPlasticCapacity end = stage.rectangularMember(material, part, thickness, part, part);
 	for (int z = 0; z < width; ++z)
 	{
 		stage.join(stage.ground(), slab.at(0, z), slab.placeOf(-0.5, z), Stage::Along::X, end);
@@ -87,7 +87,7 @@ void Bridge::build(Stage& stage) const
 	}
 	// Piers in two parts under both edges, at each quarter of the length.
 	const double half = (height - thickness / 2) / 2;
-	const btElasticPlasticCapacity column = rectangularMember(material, pier, pier, half, half);
+	const btElasticPlasticCapacity column = stage.rectangularMember(material, pier, pier, half, half);
 	btCollisionShape* const pierShape = stage.world().box(vector(pier, half - 2 * Stage::GAP, pier));
 	for (int quarter = 1; quarter < 4; ++quarter)
 		for (const int z : {0, width - 1})

@@ -27,8 +27,8 @@ public:
 		steel.m_youngsModulus = btElasticPlasticMaterial::steel().m_youngsModulus;
 		wood.m_youngsModulus = btScalar(10e9);
 		m_pole = btElasticPlasticCapacity::fromMember(steel, btElasticPlasticSection::circle(btScalar(0.02)), 1, 1);
-		m_plank = rectangularMember(wood, 0.04, 0.1, 1, 1);
-		m_foot = rectangularMember(wood, 0.08, 0.08, 1, 1);
+		m_plank = stage.rectangularMember(wood, 0.04, 0.1, 1, 1);
+		m_foot = stage.rectangularMember(wood, 0.08, 0.08, 1, 1);
 	}
 
 	void addSign(const btVector3& place)

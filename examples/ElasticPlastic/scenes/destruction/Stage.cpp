@@ -60,6 +60,15 @@ btElasticPlasticMaterial Stage::concrete(double yieldStress, double ultimateStra
 	return material;
 }
 
+btElasticPlasticCapacity Stage::rectangularMember(const btElasticPlasticMaterial& material, double width, double height,
+												  double lengthA, double lengthB) const
+{
+	const btElasticPlasticSection section = btElasticPlasticSection::rectangle(btScalar(width), btScalar(height));
+	return btElasticPlasticCapacity::fromMember(material,
+												m_settings.fibres > 0 ? section.withFibres(m_settings.fibres) : section,
+												btScalar(lengthA), btScalar(lengthB));
+}
+
 btRigidBody& Stage::body(double mass, btCollisionShape* shape, const btVector3& place, const btQuaternion& turn,
 						 double friction)
 {
@@ -166,12 +175,4 @@ void Stage::removeBroken()
 }
 
 int Stage::numBroken() { return m_settings.isBulletsWay ? m_numBroken : m_world.action().getNumBroken(); }
-
-btElasticPlasticCapacity rectangularMember(const btElasticPlasticMaterial& material, double width, double height,
-										   double lengthA, double lengthB)
-{
-	return btElasticPlasticCapacity::fromMember(material,
-												btElasticPlasticSection::rectangle(btScalar(width), btScalar(height)),
-												btScalar(lengthA), btScalar(lengthB));
-}
 }  // namespace ep

@@ -34,6 +34,7 @@ public:
 		btScalar strength = 1;  ///< factor on yield stresses
 		bool sleeps = true;     ///< bodies at rest fall asleep, as is Bullet's default
 		bool takesInnerSteps = true;
+		int fibres = 0;  ///< of the sections of members; 0: none, their forces yield each by itself
 	};
 
 	/// The direction of a joint's x axis, and with it of the member that it stands for.
@@ -65,6 +66,10 @@ public:
 
 	/// Of the given yield stress times the settings' strength [Pa], E = 30 GPa, 2400 kg/m^3.
 	btElasticPlasticMaterial concrete(double yieldStress, double ultimateStrain) const;
+
+	/// Capacity of the joint between two parts of a member with a rectangular section.
+	btElasticPlasticCapacity rectangularMember(const btElasticPlasticMaterial& material, double width, double height,
+											   double lengthA, double lengthB) const;
 
 	/// A body that may sleep. \param friction  Bullet multiplies the two bodies' values
 	btRigidBody& body(double mass, btCollisionShape* shape, const btVector3& place,
@@ -121,10 +126,6 @@ private:
 	std::vector<Event> m_script;
 	int m_frame = 0, m_numJoints = 0, m_numBroken = 0;
 };
-
-/// Capacity of the joint between two parts of a member with a rectangular section.
-btElasticPlasticCapacity rectangularMember(const btElasticPlasticMaterial& material, double width, double height,
-										   double lengthA, double lengthB);
 }  // namespace ep
 
 #endif  // EP_STAGE_H

@@ -22,8 +22,8 @@ void Wall::build(Stage& stage) const
 {
 	const double length = 0.6, height = 0.3, depth = 0.3;
 	const btElasticPlasticMaterial material = stage.concrete(BRICK_YIELD, BRICK_STRAIN);
-	const btElasticPlasticCapacity beside = rectangularMember(material, depth, height, length, length),
-								   above = rectangularMember(material, depth, length, height, height);
+	const btElasticPlasticCapacity beside = stage.rectangularMember(material, depth, height, length, length),
+								   above = stage.rectangularMember(material, depth, length, height, height);
 	btCollisionShape* const shape = brick(stage, length, height, depth);
 	const auto placeOf = [&](double column, double row)
 	{ return vector((column - columns / 2.) * length, (row + 0.5) * height, 0); };
@@ -55,7 +55,7 @@ void Tower::build(Stage& stage) const
 {
 	const double block = 0.5;
 	const btElasticPlasticMaterial material = stage.concrete(BRICK_YIELD, BRICK_STRAIN);
-	const btElasticPlasticCapacity capacity = rectangularMember(material, block, block, block, block);
+	const btElasticPlasticCapacity capacity = stage.rectangularMember(material, block, block, block, block);
 	btCollisionShape* const shape = brick(stage, block, block, block);
 	std::vector<btRigidBody*> blocks(size_t(side * side * rows), nullptr);
 	const auto at = [&](int x, int y, int z) -> btRigidBody*& { return blocks[size_t((y * side + z) * side + x)]; };
@@ -94,7 +94,7 @@ void Lattice::build(Stage& stage) const
 {
 	const double cube = 0.5;
 	const btElasticPlasticMaterial material = stage.concrete(BRICK_YIELD, BRICK_STRAIN);
-	const btElasticPlasticCapacity capacity = rectangularMember(material, cube, cube, cube, cube);
+	const btElasticPlasticCapacity capacity = stage.rectangularMember(material, cube, cube, cube, cube);
 	btCollisionShape* const shape = brick(stage, cube, cube, cube);
 	const double height = stands ? 0 : 20;
 	const auto placeOf = [&](double x, double y, double z)
