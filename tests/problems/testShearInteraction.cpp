@@ -496,7 +496,7 @@ TEST(ShearInteraction, OfThinClosedWallsLeavesShearWhatTorsionDoesNotTake)
 		for (const double torsion : {0.1, 0.25, 0.5, 0.75, 0.9})
 			for (const size_t shear : {size_t(BT_EP_SHEAR_Y), size_t(BT_EP_SHEAR_Z)})
 				// The bound for all six forces. A tenth of a shear is left beside any torsion, so 0.105 measured with that much of it.
-				// Drawn boxes twist as a grid does: 0.145, and 0.175 of 1 : 5.
+				// Drawn boxes: 0.145 measured, and 0.175 of 1 : 5, see limits.md.
 				EXPECT_NEAR(1, borne(section, shear, 1 - torsion, torsion),
 							isDrawn(section) ? 0.18
 							: torsion > 0.8  ? 0.11
