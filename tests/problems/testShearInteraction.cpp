@@ -504,6 +504,64 @@ TEST(ShearInteraction, OfThinClosedWallsLeavesShearWhatTorsionDoesNotTake)
 					<< "section " << &section - sections << ", " << shear << " beside " << torsion;
 }
 
+TEST(ShearInteraction, OfOpenWallsThatRunThroughTheAxisIsNotOfAClosedSection)
+{
+	// They slip by a twist by as much as they would turn about the axis, as walls around a cell do.
+	typedef btElasticPlasticSection Section;
+	const auto s = [](double x) { return btScalar(x); };
+	std::vector<Shape> shapes = {{"thick T", {}, Section::tSection(s(0.1), s(0.1), s(0.02), s(0.02))},
+								 {"thick I", {}, Section::iSection(s(0.1), s(0.2), s(0.02), s(0.02))},
+								 {"thick channel", {}, Section::channel(s(0.1), s(0.1), s(0.02), s(0.02))},
+								 {"thick angle", {}, Section::angle(s(0.1), s(0.1), s(0.02))}};
+	for (Shape& shape : shapes)
+	{
+		shape.m_exact = openWalls(shape.m_section);
+		shape.m_section = shape.m_section.withFibres();
+	}
+	const auto cross = [](double half, double arm)
+	{
+		return polygon({{{half, half},
+						 {half, arm},
+						 {-half, arm},
+						 {-half, half},
+						 {-1, half},
+						 {-1, -half},
+						 {-half, -half},
+						 {-half, -arm},
+						 {half, -arm},
+						 {half, -half},
+						 {1, -half},
+						 {1, half}}},
+					   0.1);
+	};
+	for (const double half : {0.03, 0.1})
+		shapes.push_back({half < 0.05 ? "thin cross" : "cross", finePolygon(cross(half, 1), Walls::Open),
+						  cross(half, 1).withFibres(36)});
+	// Two flat bars that cross each other, given by hand in four layers each.
+	Section bars = cross(0.05, 0.5);
+	bars.m_fibres.resize(0);
+	SectionSurface walls;
+	for (const bool isHigh : {true, false})
+	{
+		const double length = isHigh ? 0.2 : 0.1, thickness = 0.01;
+		for (int i = 0; i < 16; ++i)
+			for (const double layer : {-0.375, -0.125, 0.125, 0.375})
+			{
+				const double place = length * ((i + 0.5) / 16 - 0.5), off = layer * thickness;
+				btElasticPlasticSectionFibre fibre = {s(isHigh ? place : off), s(isHigh ? off : place),
+													  s(length * thickness / 64)};
+				fibre.m_bearsShear = true;
+				fibre.m_wall[!isHigh] = 1;
+				fibre.m_twist[!isHigh] = s((isHigh ? -2 : 2) * off);
+				bars.m_fibres.push_back(fibre);
+			}
+		addWall(walls, 0, 0, isHigh ? length : thickness, isHigh ? thickness : length, 0);
+	}
+	shapes.push_back({"flat bars", walls, bars});
+	for (const Shape& shape : shapes)
+		expectRight(shape, repeats(2000, 50));
+}
+
 TEST(ShearInteraction, IsRightInFlatSections)
 {
 	for (const Shape& shape : flatShapes())

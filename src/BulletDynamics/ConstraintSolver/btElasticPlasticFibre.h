@@ -40,8 +40,8 @@ struct btElasticPlasticFibre
 	bool m_bearsShear = false;
 	/// Direction of the wall along which it is sheared, a unit vector of y and z; 0: in any direction.
 	btScalar m_wall[2] = {0, 0};
-	/// Along y and z, its slip by a twist of 1, which turns it about x [m]. Fibres share torsion by what they have of it by comparison. Where those on walls slip on
-	/// average by 0.4 of what they do as the walls turn about the axis, and more, the walls are those of a closed section, and warp.
+	/// Along y and z, its slip by a twist of 1, which turns it about x [m]. Fibres share torsion by what they have of it by comparison. Those on walls
+	/// around the axis that slip as they turn about it are of a closed section, and warp.
 	btScalar m_twist[2] = {0, 0};
 
 	/// Whether its strength stays as it is until it cracks or ruptures: neither flow nor rate changes it.

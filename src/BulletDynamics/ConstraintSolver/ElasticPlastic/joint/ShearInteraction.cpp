@@ -42,9 +42,11 @@ const double LEAST_LEFT = 1e-3;
 const double LEAST_EVEN = 0.1;
 /// Of walls that run at an angle to the section's axes, by how much one such direction outweighs the other.
 const double LEAST_ASKEW = 1e-3;
-/// Of how far the walls of a closed section slip by a twist on average, over how far they do as they turn about the axis as a whole: 1, and below 0.4 of
-/// an open one.
+/// Of the slips of walls by a twist and those by which they turn about the axis as a whole, their correlation, from which on the section is a closed one: 1 of a
+/// box, 0.4 of one of 1 : 20 that slips evenly, and none of an open section, whose walls slip to and fro.
 const double LEAST_CLOSED = 0.4;
+/// Squares of the latter over those of the distance from the axis: 0.14 of that box, 0.02 of a flat bar. Walls that run through the axis slip as they turn, too.
+const double LEAST_AROUND = 0.08;
 /// Keeps what fibres on one line do not determine out of the way.
 const double NEXT_TO_NOTHING = 1e-9;
 }  // namespace
@@ -127,6 +129,30 @@ WarpingAxis warpingAxisOf(const btAlignedObjectArray<btElasticPlasticFibre>& fib
 	}
 	return {zz > 0 ? yzz / zz : 0, yy > 0 ? yyz / yy : 0};
 }
+
+/// Tells whether walls run around the axis, and slip by a twist as those of a closed section do.
+class WallsAround
+{
+public:
+	/// \param wall  direction of a fibre's wall
+	/// \param slip  along it, by a twist
+	void add(const btElasticPlasticFibre& fibre, double strength, const double wall[2], double slip)
+	{
+		const double y = fibre.m_y, z = fibre.m_z, turn = wall[1] * y - wall[0] * z;
+		m_both += strength * slip * turn;
+		m_slips += strength * slip * slip;
+		m_turns += strength * turn * turn;
+		m_distances += strength * (y * y + z * z);
+	}
+
+	bool areClosed() const
+	{
+		return m_both > LEAST_CLOSED * sqrt(m_slips * m_turns) && m_turns > LEAST_AROUND * m_distances;
+	}
+
+private:
+	double m_both = 0, m_slips = 0, m_turns = 0, m_distances = 0;
+};
 }  // namespace
 
 /// Takes the fibres with what each of the six forces counts for in them, over what the section bears of it alone. A fibre of unequal strengths
@@ -141,7 +167,8 @@ bool ShearInteraction::collect(const JointModel& model)
 	if (!isAny)
 		return false;
 	m_fibres.clear();
-	double slips[3] = {}, most[3] = {}, askew = 0, slipOfWalls = 0, turnOfWalls = 0;
+	double slips[3] = {}, most[3] = {}, askew = 0;
+	WallsAround walls;
 	m_isUneven = false;
 	const WarpingAxis axis = warpingAxisOf(capacity.m_fibres);
 	for (int k = 0; k < 3; ++k)
@@ -172,8 +199,7 @@ bool ShearInteraction::collect(const JointModel& model)
 			fibre.m_slip[0][1] = wall[1];
 			fibre.m_slip[0][2] = wall[0] * twist[0] + wall[1] * twist[1];
 			fibre.m_slip[0][WARPING] = wall[0] * warp[0] + wall[1] * warp[1];
-			slipOfWalls += fibre.m_strength * fabs(fibre.m_slip[0][2]);
-			turnOfWalls += fibre.m_strength * fabs(wall[1] * double(own.m_y) - wall[0] * double(own.m_z));
+			walls.add(own, fibre.m_strength, wall, fibre.m_slip[0][2]);
 		}
 		else
 			for (int k = 0; k < fibre.m_numSlips; ++k)
@@ -194,7 +220,7 @@ bool ShearInteraction::collect(const JointModel& model)
 			askew += fibre.m_strength * slip[0] * slip[1];
 		m_fibres.push_back(fibre);
 	}
-	const bool isClosed = slipOfWalls > LEAST_CLOSED * turnOfWalls;
+	const bool isClosed = walls.areClosed();
 	m_mayWarp = m_isUneven || isClosed;
 	for (Fibre& fibre : m_fibres)
 		if (!isClosed && !(m_isUneven && fibre.m_numSlips == 2))
