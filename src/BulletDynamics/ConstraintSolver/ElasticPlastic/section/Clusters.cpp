@@ -6,12 +6,13 @@
 #include <math.h>
 
 #include "LinearMath/btMinMax.h"
+#include "WallCorners.h"
 
 namespace btElasticPlastic
 {
 namespace
 {
-const int LEAST_PIECES = 1000, PIECES_OF_A_CLUSTER = 30, ROUNDS = 40;
+const int LEAST_PIECES = 2000, PIECES_OF_A_CLUSTER = 30, ROUNDS = 40;
 /// Of the area of a rectangle that has a figure's radii of gyration, from which it is a solid one: a triangle has 0.87, thin walls a fifth.
 const double SOLID = 0.5;
 /// What is symmetric has ties. The first one is taken, and not what a compiler's rounding makes of them.
@@ -81,21 +82,21 @@ void add(double factor, const Region::Point& p, Region::Point& sum)
 	sum.m_z += factor * p.m_z;
 }
 
-/// Each cluster slips as its pieces do.
+/// Each cluster is where its pieces are on average, and slips as they do.
 /// \param owners  of pieces
-void findSlips(const std::vector<SectionPoint>& points, const std::vector<size_t>& owners,
-			   std::vector<Cluster>& clusters)
+std::vector<Cluster> meansOf(const std::vector<SectionPoint>& points, const std::vector<Slips>& slips, size_t count,
+							 const std::vector<size_t>& owners)
 {
-	const std::vector<Slips> slips = slipsOf(points);
-	std::vector<double> areas(clusters.size(), 0.);
+	std::vector<Cluster> clusters(count, {0, 0, 0});
 	for (size_t i = 0; i < points.size(); ++i)
-		areas[owners[i / POINTS_OF_A_PIECE]] += points[i].m_area;
+		clusters[owners[i / POINTS_OF_A_PIECE]].m_area += points[i].m_area;
 	for (size_t i = 0; i < points.size(); ++i)
 	{
-		const size_t owner = owners[i / POINTS_OF_A_PIECE];
-		Cluster& cluster = clusters[owner];
-		const double share = points[i].m_area / areas[owner];
+		Cluster& cluster = clusters[owners[i / POINTS_OF_A_PIECE]];
+		const double share = points[i].m_area / cluster.m_area;
 		const Region::Point& twist = slips[i].m_twist;
+		cluster.m_y += share * points[i].m_y;
+		cluster.m_z += share * points[i].m_z;
 		add(share, slips[i].m_alongY, cluster.m_slips.m_alongY);
 		add(share, slips[i].m_alongZ, cluster.m_slips.m_alongZ);
 		add(share, twist, cluster.m_slips.m_twist);
@@ -103,6 +104,11 @@ void findSlips(const std::vector<SectionPoint>& points, const std::vector<size_t
 		cluster.m_twistYZ += share * twist.m_y * twist.m_z;
 		cluster.m_twistZZ += share * twist.m_z * twist.m_z;
 	}
+	std::vector<Cluster> some;
+	for (const Cluster& cluster : clusters)
+		if (cluster.m_area > 0)
+			some.push_back(cluster);
+	return some;
 }
 
 /// By which distances between clusters are measured along y and z: of what is solid by its radii of gyration, so that clusters tell as much of axial force and
@@ -163,15 +169,16 @@ std::vector<Cluster> clustersOf(const Region& region, int count)
 		pieces.push_back({m.m_y / m.m_area, m.m_z / m.m_area, m.m_area});
 		addPointsOf(m, points);
 	}
-	std::vector<Cluster> clusters = gather(pieces, count);
+	const std::vector<Cluster> gathered = gather(pieces, count);
 	std::vector<size_t> owners;
 	for (const Cluster& piece : pieces)
-		owners.push_back(nearestTo(piece, clusters));
-	for (Cluster& cluster : clusters)
-		cluster = {y * cluster.m_y, z * cluster.m_z, y * z * cluster.m_area};
+		owners.push_back(nearestTo(piece, gathered));
 	for (SectionPoint& p : points)
 		p = {y * p.m_y, z * p.m_z, y * z * p.m_area};
-	findSlips(points, owners, clusters);
+	const std::vector<Slips> slips = slipsOf(points);
+	const size_t numClusters = partAtCorners(points, slips, gathered.size(), owners);
+	std::vector<Cluster> clusters = meansOf(points, slips, numClusters, owners);
+	arrange(clusters);
 	return clusters;
 }
 }  // namespace btElasticPlastic

@@ -18,7 +18,7 @@ struct Cluster
 
 /// Cuts a figure into about equally large clusters, by Lloyd's method: each has what is nearest to it. They stand in no rows, so that a
 /// straight line cuts few of them at a time; what lies on a line is what a bundle of fibres bears too little of.
-/// Each one next to the one before, as far as they go.
+/// Each one next to the one before, as far as they go. At corners of thin walls there is one for each wall, so that they may be some more.
 /// \param region  of which y and z are principal axes with their origin at the centroid
 std::vector<Cluster> clustersOf(const Region& region, int count);
 }  // namespace btElasticPlastic

@@ -11,8 +11,13 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Of the grid along the longer side of the figure.
-const int CELLS = 8, NODES = 2 * CELLS + 1, NODES_OF_A_CELL = 9;
+/// Of the grid along the longer side of the figure, as many as leave all but a little of its area in cells with many points. Few do not tell what warpings of
+/// second degree do between them: these would slip for nothing.
+const int MOST_CELLS = 32, LEAST_CELLS = 8, MANY_POINTS = 42;
+const double LITTLE = 0.02;
+const int NODES_OF_A_CELL = 9;
+/// What a row of cells has of a cell at least: rounding adds none.
+const double LEAST_OF_A_CELL = 1e-6;
 /// Of the mean diagonal of the matrix, what holds warpings of which few points know.
 const double HOLD = 1e-9;
 
@@ -31,6 +36,56 @@ void add(double factor, const NodeValues& a, NodeValues& sum)
 	for (size_t i = 0; i < a.size(); ++i)
 		sum[i] += factor * a[i];
 }
+
+/// A symmetric matrix with nothing further than its band from the diagonal: rows up to there.
+class BandMatrix
+{
+public:
+	BandMatrix(size_t size, size_t band) : m_size(size), m_band(band), m_elements(size * (band + 1), 0.) {}
+
+	/// \param column  at most \p row
+	double& at(size_t row, size_t column) { return m_elements[row * m_band + m_band + column]; }
+	double at(size_t row, size_t column) const { return m_elements[row * m_band + m_band + column]; }
+
+	size_t size() const { return m_size; }
+	/// The first column of a row.
+	size_t firstOf(size_t row) const { return row > m_band ? row - m_band : 0; }
+
+	/// Cholesky's, in its place.
+	void factorise()
+	{
+		for (size_t i = 0; i < size(); ++i)
+			for (size_t k = firstOf(i); k <= i; ++k)
+			{
+				double sum = at(i, k);
+				for (size_t j = firstOf(i); j < k; ++j)
+					sum -= at(i, j) * at(k, j);
+				at(i, k) = k < i ? sum / at(k, k) : sqrt(sum);
+			}
+	}
+
+	/// By the factor.
+	NodeValues solved(NodeValues nodes) const
+	{
+		for (size_t i = 0; i < size(); ++i)
+		{
+			for (size_t k = firstOf(i); k < i; ++k)
+				nodes[i] -= at(i, k) * nodes[k];
+			nodes[i] /= at(i, i);
+		}
+		for (size_t i = size(); i-- > 0;)
+		{
+			nodes[i] /= at(i, i);
+			for (size_t k = firstOf(i); k < i; ++k)
+				nodes[k] -= at(i, k) * nodes[i];
+		}
+		return nodes;
+	}
+
+private:
+	size_t m_size, m_band;
+	std::vector<double> m_elements;
+};
 
 /// Warpings of a point's cell, each of which is 1 at one node: their values and gradients there.
 struct Shape
@@ -58,24 +113,34 @@ class Grid
 public:
 	explicit Grid(const std::vector<SectionPoint>& points)
 	{
-		double low[2] = {points[0].m_y, points[0].m_z}, high[2] = {low[0], low[1]};
+		double high[2] = {points[0].m_y, points[0].m_z}, area = 0;
+		m_low[0] = high[0];
+		m_low[1] = high[1];
 		for (const SectionPoint& p : points)
 		{
-			low[0] = btMin(low[0], p.m_y);
-			low[1] = btMin(low[1], p.m_z);
+			m_low[0] = btMin(m_low[0], p.m_y);
+			m_low[1] = btMin(m_low[1], p.m_z);
 			high[0] = btMax(high[0], p.m_y);
 			high[1] = btMax(high[1], p.m_z);
+			area += p.m_area;
 		}
-		m_size = btMax(high[0] - low[0], high[1] - low[1]) / CELLS;
+		const double sides[2] = {high[0] - m_low[0], high[1] - m_low[1]};
+		for (int cells = MOST_CELLS; cells >= LEAST_CELLS; cells /= 2)
+		{
+			divide(sides, cells);
+			if (areaWithFew(points) <= LITTLE * area)
+				break;
+		}
 		for (const SectionPoint& p : points)
 		{
-			const double y = (p.m_y - low[0]) / m_size, z = (p.m_z - low[1]) / m_size;
-			const int column = btMin(int(y), CELLS - 1), row = btMin(int(z), CELLS - 1);
-			m_places.push_back({2 * (row * NODES + column), y - column, z - row, p.m_area});
+			const Cell cell = cellOf(p);
+			m_places.push_back({2 * (cell.m_column * m_strideY + cell.m_row * m_strideZ),
+								(p.m_y - m_low[0]) / m_size - cell.m_column, (p.m_z - m_low[1]) / m_size - cell.m_row,
+								p.m_area});
 		}
 	}
 
-	static NodeValues zero() { return NodeValues(size_t(NODES) * NODES, 0.); }
+	NodeValues zero() const { return NodeValues(size_t((2 * m_columns + 1) * (2 * m_rows + 1)), 0.); }
 
 	/// A warping's gradient at a point.
 	Region::Point gradientAt(size_t point, const NodeValues& warping) const
@@ -109,20 +174,22 @@ public:
 			sums[nodeOf(p.m_node, i)] += p.m_area * shape.m_values[i] * number;
 	}
 
-	/// The integrals of the products of nodes' own gradients, row by row.
-	std::vector<double> matrix() const
+	/// The integrals of the products of nodes' own gradients.
+	BandMatrix matrix() const
 	{
-		const size_t n = zero().size();
-		std::vector<double> elements(n * n, 0.);
+		BandMatrix matrix(zero().size(), size_t(2 * (m_strideY + m_strideZ)));
 		for (const Place& p : m_places)
 		{
 			const Shape shape(p.m_y, p.m_z, m_size);
 			for (int i = 0; i < NODES_OF_A_CELL; ++i)
-				for (int k = 0; k < NODES_OF_A_CELL; ++k)
-					elements[nodeOf(p.m_node, i) * n + nodeOf(p.m_node, k)] +=
+				for (int k = 0; k <= i; ++k)
+				{
+					const size_t a = nodeOf(p.m_node, i), b = nodeOf(p.m_node, k);
+					matrix.at(btMax(a, b), btMin(a, b)) +=
 						p.m_area * (shape.m_alongY[i] * shape.m_alongY[k] + shape.m_alongZ[i] * shape.m_alongZ[k]);
+				}
 		}
-		return elements;
+		return matrix;
 	}
 
 private:
@@ -133,9 +200,52 @@ private:
 		double m_y, m_z;  ///< in the cell, 0 to 1
 		double m_area;
 	};
-	static size_t nodeOf(int first, int i) { return size_t(first + i / 3 * NODES + i % 3); }
+	struct Cell
+	{
+		int m_column, m_row;  ///< along y, along z
+	};
 
-	double m_size;  ///< of a cell
+	/// Nodes are counted along the shorter side first, by which those of a cell are not far from each other.
+	void divide(const double sides[2], int cells)
+	{
+		m_size = btMax(sides[0], sides[1]) / cells;
+		m_columns = btMax(1, int(ceil(sides[0] / m_size - LEAST_OF_A_CELL)));
+		m_rows = btMax(1, int(ceil(sides[1] / m_size - LEAST_OF_A_CELL)));
+		m_strideY = m_columns <= m_rows ? 1 : 2 * m_rows + 1;
+		m_strideZ = m_columns <= m_rows ? 2 * m_columns + 1 : 1;
+	}
+
+	Cell cellOf(const SectionPoint& p) const
+	{
+		return {btMin(int((p.m_y - m_low[0]) / m_size), m_columns - 1),
+				btMin(int((p.m_z - m_low[1]) / m_size), m_rows - 1)};
+	}
+
+	/// Area in cells with few points.
+	double areaWithFew(const std::vector<SectionPoint>& points) const
+	{
+		const size_t n = size_t(m_columns * m_rows);
+		std::vector<int> counts(n, 0);
+		std::vector<double> areas(n, 0.);
+		for (const SectionPoint& p : points)
+		{
+			const Cell cell = cellOf(p);
+			const size_t index = size_t(cell.m_row * m_columns + cell.m_column);
+			++counts[index];
+			areas[index] += p.m_area;
+		}
+		double sum = 0;
+		for (size_t i = 0; i < n; ++i)
+			sum += counts[i] < MANY_POINTS ? areas[i] : 0;
+		return sum;
+	}
+
+	size_t nodeOf(int first, int i) const { return size_t(first + i % 3 * m_strideY + i / 3 * m_strideZ); }
+
+	double m_low[2];                   ///< where the grid begins
+	double m_size = 0;                 ///< of a cell
+	int m_columns = 0, m_rows = 0;     ///< cells along y, along z
+	int m_strideY = 0, m_strideZ = 0;  ///< from a node to its neighbour
 	std::vector<Place> m_places;
 };
 
@@ -145,26 +255,27 @@ class Warping
 public:
 	explicit Warping(const std::vector<SectionPoint>& points) : m_grid(points), m_factor(m_grid.matrix())
 	{
-		factorise();
+		hold();
+		m_factor.factorise();
 		for (NodeValues& plane : m_planes)
-			plane = Grid::zero();
+			plane = m_grid.zero();
 		for (size_t i = 0; i < points.size(); ++i)
 		{
 			m_grid.add(i, points[i].m_y, m_planes[0]);
 			m_grid.add(i, points[i].m_z, m_planes[1]);
 		}
 		for (int k = 0; k < 2; ++k)
-			m_solvedPlanes[k] = solved(m_planes[k]);
+			m_solvedPlanes[k] = m_factor.solved(m_planes[k]);
 	}
 
 	/// Adds the warping to slips.
 	/// \param keepsStraight  it has no part of a plane that turns
 	void lessen(std::vector<Region::Point>& slips, bool keepsStraight) const
 	{
-		NodeValues sums = Grid::zero();
+		NodeValues sums = m_grid.zero();
 		for (size_t i = 0; i < slips.size(); ++i)
 			m_grid.add(i, {-slips[i].m_y, -slips[i].m_z}, sums);
-		NodeValues warping = solved(sums);
+		NodeValues warping = m_factor.solved(sums);
 		if (keepsStraight)
 			straighten(warping);
 		for (size_t i = 0; i < slips.size(); ++i)
@@ -176,41 +287,13 @@ public:
 	}
 
 private:
-	/// Cholesky's.
-	void factorise()
+	void hold()
 	{
-		const size_t n = Grid::zero().size();
 		double trace = 0;
-		for (size_t i = 0; i < n; ++i)
-			trace += m_factor[i * n + i];
-		for (size_t i = 0; i < n; ++i)
-			m_factor[i * n + i] += HOLD * trace / double(n);
-		for (size_t i = 0; i < n; ++i)
-			for (size_t k = 0; k <= i; ++k)
-			{
-				double sum = m_factor[i * n + k];
-				for (size_t j = 0; j < k; ++j)
-					sum -= m_factor[i * n + j] * m_factor[k * n + j];
-				m_factor[i * n + k] = k < i ? sum / m_factor[k * n + k] : sqrt(sum);
-			}
-	}
-
-	NodeValues solved(NodeValues nodes) const
-	{
-		const size_t n = nodes.size();
-		for (size_t i = 0; i < n; ++i)
-		{
-			for (size_t k = 0; k < i; ++k)
-				nodes[i] -= m_factor[i * n + k] * nodes[k];
-			nodes[i] /= m_factor[i * n + i];
-		}
-		for (size_t i = n; i-- > 0;)
-		{
-			nodes[i] /= m_factor[i * n + i];
-			for (size_t k = 0; k < i; ++k)
-				nodes[k] -= m_factor[i * n + k] * nodes[i];
-		}
-		return nodes;
+		for (size_t i = 0; i < m_factor.size(); ++i)
+			trace += m_factor.at(i, i);
+		for (size_t i = 0; i < m_factor.size(); ++i)
+			m_factor.at(i, i) += HOLD * trace / double(m_factor.size());
 	}
 
 	void straighten(NodeValues& warping) const
@@ -223,7 +306,7 @@ private:
 	}
 
 	const Grid m_grid;
-	std::vector<double> m_factor;  ///< lower, row by row
+	BandMatrix m_factor;
 	NodeValues m_planes[2],
 		m_solvedPlanes[2];  ///< of nodes' own warpings, the integral times y and z; and what it solves to
 };
