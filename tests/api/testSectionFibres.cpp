@@ -383,6 +383,12 @@ TEST(SectionFibres, NumbersThatNoFibreCanHave)
 		[&](btElasticPlasticCapacity& c) { c.m_length = btScalar(1e7); },
 		[&](btElasticPlasticCapacity& c) { c.m_stiffness[BT_EP_SHEAR_Z] = btScalar(1e30); },
 		[&](btElasticPlasticCapacity& c) { c.m_curvePoints[1].m_factor = huge; },
+		// Softens on the way to where it tears: never.
+		[&](btElasticPlasticCapacity& c)
+		{
+			c.m_fibres[3].m_softens = true;
+			c.m_fibres[3].m_stretchLimit = btScalar(BT_LARGE_FLOAT);
+		},
 		// A jump.
 		[&](btElasticPlasticCapacity& c) {
 			c.m_curvePoints[0] = {std::numeric_limits<btScalar>::denorm_min(), btScalar(1.5)};

@@ -308,6 +308,9 @@ btElasticPlasticFault btElasticPlasticCapacity::faultOfFibres() const
 		if (btElasticPlasticFault f =
 				btElasticPlasticCheckPositive("shortening at which a fibre is crushed [m]", fibre.m_crushLimit))
 			return f;
+		if (fibre.m_softens && !(fibre.m_stretchLimit < btScalar(BT_LARGE_FLOAT)))
+			return btElasticPlasticFault("elongation at which a fibre that softens ruptures [m]", fibre.m_stretchLimit,
+										 "less than BT_LARGE_FLOAT: by then its strength is 0");
 		if (btElasticPlasticFault f = faultOfCurve(fibre))
 			return f;
 		if (btElasticPlasticFault f = btElasticPlasticCheckNotNegative("rate at which a fibre's strength doubles [m/s]",

@@ -24,7 +24,8 @@ struct btElasticPlasticFibre
 	/// broken, of fibres that had to be torn for it twice as wide.
 	btScalar m_stretchLimit = btScalar(BT_LARGE_FLOAT);
 	btScalar m_crushLimit = btScalar(BT_LARGE_FLOAT);  ///< plastic shortening at which it is crushed [m], > 0
-	bool m_softens = false;  ///< its strength in tension falls linearly as its damage grows, to 0 at 1
+	/// Its strength in tension falls linearly as its damage grows, to 0 at 1. \pre m_stretchLimit is given
+	bool m_softens = false;
 	/// How its strength changes as it flows to and fro, points m_firstPoint to m_firstPoint + m_numPoints - 1 of
 	/// btElasticPlasticCapacity::m_curvePoints; none: it stays.
 	int m_firstPoint = 0, m_numPoints = 0;
