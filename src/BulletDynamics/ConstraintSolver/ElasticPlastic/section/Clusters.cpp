@@ -12,7 +12,7 @@ namespace btElasticPlastic
 {
 namespace
 {
-const int LEAST_PIECES = 2000, PIECES_OF_A_CLUSTER = 30, ROUNDS = 40;
+const int LEAST_PIECES = 2500, PIECES_OF_A_CLUSTER = 30, ROUNDS = 40;
 /// Of the area of a rectangle that has a figure's radii of gyration, from which it is a solid one: a triangle has 0.87, thin walls a fifth.
 const double SOLID = 0.5;
 /// What is symmetric has ties. The first one is taken, and not what a compiler's rounding makes of them.

@@ -14,7 +14,7 @@ namespace
 /// Of the grid along the longer side of the figure, as many as leave all but a little of its area in cells with many points. Few do not tell what warpings of
 /// second degree do between them: these would slip for nothing.
 const int MOST_CELLS = 32, LEAST_CELLS = 8, MANY_POINTS = 42;
-const double LITTLE = 0.02;
+const double MOST_WITH_FEW = 0.02;
 const int NODES_OF_A_CELL = 9;
 /// What a row of cells has of a cell at least: rounding adds none.
 const double LEAST_OF_A_CELL = 1e-6;
@@ -128,7 +128,7 @@ public:
 		for (int cells = MOST_CELLS; cells >= LEAST_CELLS; cells /= 2)
 		{
 			divide(sides, cells);
-			if (areaWithFew(points) <= LITTLE * area)
+			if (areaWithFew(points) <= MOST_WITH_FEW * area)
 				break;
 		}
 		for (const SectionPoint& p : points)

@@ -10,9 +10,11 @@ namespace btElasticPlastic
 namespace
 {
 /// How distinctly a cluster's pieces are sheared along something on average, from which on they are of walls, and how distinctly all of it is, over that, at most
-/// where two of these meet. Of walls at a right angle it is 0 with half of the cluster on each, and 0.64 where it has just the corner, in which the way turns from
-/// the one to the other.
+/// where two of these meet: of walls at a right angle 0 with half of the cluster on each.
 const double LEAST_DISTINCT = 0.8, MOST_ALIKE = 0.5;
+/// Square of its radius of gyration about its centroid over its area, from which on it has legs: that over twice the thickness of walls, at a right angle, for
+/// each of them. What is more compact is the corner itself, in which the way turns from the one wall to the other: 1/6 of a square.
+const double LEAST_LEGS = 0.25;
 
 /// The way in which a piece is sheared, at the angle a from y, as cos(2 a) and sin(2 a), times how distinct it is: 1 if it is a wall's, 0 if it is sheared
 /// as easily in any direction.
@@ -34,27 +36,29 @@ Region::Point wayOf(const SectionPoint* points, const Slips* slips, double& area
 	return {way.m_y / area, way.m_z / area};
 }
 
-/// The ways of a cluster's pieces.
-struct Ways
+void add(const Region::Point& p, double area, Region::Moments& sum)
 {
-	Region::Moments m_moments;
-	double m_distinct = 0;
+	sum.m_area += area;
+	sum.m_y += area * p.m_y;
+	sum.m_z += area * p.m_z;
+	sum.m_yy += area * p.m_y * p.m_y;
+	sum.m_yz += area * p.m_y * p.m_z;
+	sum.m_zz += area * p.m_z * p.m_z;
+}
 
-	void add(const Region::Point& way, double area)
-	{
-		m_moments.m_area += area;
-		m_moments.m_y += area * way.m_y;
-		m_moments.m_z += area * way.m_z;
-		m_moments.m_yy += area * way.m_y * way.m_y;
-		m_moments.m_yz += area * way.m_y * way.m_z;
-		m_moments.m_zz += area * way.m_z * way.m_z;
-		m_distinct += area * hypot(way.m_y, way.m_z);
-	}
+/// What a cluster's pieces are.
+struct Pieces
+{
+	Region::Moments m_places, m_ways;
+	double m_distinct = 0;
 
 	bool areOfACorner() const
 	{
-		return m_distinct > LEAST_DISTINCT * m_moments.m_area &&
-			   hypot(m_moments.m_y, m_moments.m_z) < MOST_ALIKE * m_distinct;
+		if (!(m_places.m_area > 0))
+			return false;
+		const Region::Moments own = m_places.centred();
+		return m_distinct > LEAST_DISTINCT * own.m_area && hypot(m_ways.m_y, m_ways.m_z) < MOST_ALIKE * m_distinct &&
+			   own.m_yy + own.m_zz > LEAST_LEGS * own.m_area * own.m_area;
 	}
 };
 }  // namespace
@@ -63,20 +67,24 @@ size_t partAtCorners(const std::vector<SectionPoint>& points, const std::vector<
 					 std::vector<size_t>& owners)
 {
 	std::vector<Region::Point> ways;
-	std::vector<Ways> all(numClusters);
+	std::vector<Pieces> all(numClusters);
 	for (size_t i = 0; i < owners.size(); ++i)
 	{
 		double area;
 		const size_t first = i * POINTS_OF_A_PIECE;
 		ways.push_back(wayOf(&points[first], &slips[first], area));
-		all[owners[i]].add(ways[i], area);
+		Pieces& own = all[owners[i]];
+		add(ways[i], area, own.m_ways);
+		own.m_distinct += area * hypot(ways[i].m_y, ways[i].m_z);
+		for (size_t k = first; k < first + POINTS_OF_A_PIECE; ++k)
+			add({points[k].m_y, points[k].m_z}, points[k].m_area, own.m_places);
 	}
 	const size_t before = numClusters;
 	for (size_t c = 0; c < before; ++c)
 	{
 		if (!all[c].areOfACorner())
 			continue;
-		const Region::Moments& m = all[c].m_moments;
+		const Region::Moments& m = all[c].m_ways;
 		const PrincipalMoments apart = principalMoments(m.centred());
 		for (size_t i = 0; i < owners.size(); ++i)
 			if (owners[i] == c && apart.m_axis[0] * (ways[i].m_y - m.m_y / m.m_area) +

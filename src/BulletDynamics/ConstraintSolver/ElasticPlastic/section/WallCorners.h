@@ -4,6 +4,8 @@
 #ifndef BT_ELASTIC_PLASTIC_WALL_CORNERS_H
 #define BT_ELASTIC_PLASTIC_WALL_CORNERS_H
 
+#include <stddef.h>
+
 #include "Slips.h"
 
 namespace btElasticPlastic
