@@ -32,10 +32,10 @@ namespace btElasticPlastic
 class FibreStep
 {
 public:
-	/// \param damping     that of the step
-	/// \param shearYield  yield values of both shears in the step, before fibres and shears take of each other
-	FibreStep(JointModel& model, const MaterialDamping& damping, const btScalar* shearYield)
-		: m_model(model), m_damping(damping), m_shearYield(shearYield)
+	/// \param damping  that of the step
+	/// \param yield    yield values in the step, before fibres and shears take of each other
+	FibreStep(JointModel& model, const MaterialDamping& damping, const btScalar (&yield)[BT_EP_DOF_COUNT])
+		: m_model(model), m_damping(damping), m_yield(yield)
 	{
 	}
 
@@ -51,13 +51,9 @@ public:
 	};
 
 	/// Before all rows of the step are made: what shears and torsion leave of the fibres and of each other.
-	void beginShear(const Motion& motion, btScalar dt) { m_interaction.find(m_model, m_shearYield, motion.m_rate, dt); }
+	void beginShear(const Motion& motion, btScalar dt) { m_interaction.find(m_model, m_yield, motion.m_rate, dt); }
 	/// The yield value of a shear or torsion in the step.
-	btScalar yieldOf(int dof) const
-	{
-		return m_interaction.getShare(dof) *
-			   (dof == BT_EP_TORSION ? m_model.m_capacity.m_yield[dof] : m_shearYield[dof - BT_EP_SHEAR_Y]);
-	}
+	btScalar yieldOf(int dof) const { return m_interaction.getShare(dof) * m_yield[dof]; }
 
 	/// Makes the fibres' rows, and couples them with those of the shears.
 	/// \param strain    of the joint's six degrees of freedom, as the step meets it
@@ -204,7 +200,7 @@ private:
 	btAlignedObjectArray<Mapped> m_mapped;
 	CoupledBundle m_bundle;
 	ShearInteraction m_interaction;
-	const btScalar* m_shearYield;
+	const btScalar (&m_yield)[BT_EP_DOF_COUNT];
 	btAlignedObjectArray<Loss> m_losses;
 };
 }  // namespace btElasticPlastic

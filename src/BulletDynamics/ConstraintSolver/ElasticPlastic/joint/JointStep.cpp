@@ -97,8 +97,8 @@ bool JointStep::evaluate(btScalar dt)
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
-	for (int i = 0; i < 2; ++i)
-		m_shearYield[i] = m_model.yieldUnder(-m_model.m_state.m_force[BT_EP_AXIAL], BT_EP_SHEAR_Y + i);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		m_yield[i] = m_model.yieldUnder(-m_model.m_state.m_force[BT_EP_AXIAL], i);
 	const btScalar damping = m_model.m_capacity.m_damping;
 	if (!m_damping.isFor(damping, dt))
 		m_damping = MaterialDamping(damping, dt);

@@ -20,7 +20,7 @@ namespace btElasticPlastic
 class JointStep
 {
 public:
-	explicit JointStep(JointModel& model) : m_model(model), m_fibres(model, m_damping, m_shearYield) {}
+	explicit JointStep(JointModel& model) : m_model(model), m_fibres(model, m_damping, m_yield) {}
 
 	// ---- pose and step -> rows
 
@@ -263,13 +263,7 @@ private:
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}
 	/// In the step.
-	btScalar yieldOf(int dof) const
-	{
-		if (m_usesFibres)
-			return m_fibres.yieldOf(dof);
-		return dof == BT_EP_SHEAR_Y || dof == BT_EP_SHEAR_Z ? m_shearYield[dof - BT_EP_SHEAR_Y]
-															: m_model.m_capacity.m_yield[dof];
-	}
+	btScalar yieldOf(int dof) const { return m_usesFibres ? m_fibres.yieldOf(dof) : m_yield[dof]; }
 	void damp(const btScalar change[BT_EP_DOF_COUNT], const FibreStep::Outcome& fibres);
 	double strainEnergy(const btScalar strains[BT_EP_DOF_COUNT]) const;
 	double twiceWork(const btScalar velocity1[BT_EP_DOF_COUNT], const btVector3& spin1) const;
@@ -295,8 +289,8 @@ private:
 	Kinematics m_kinematics;
 	Row m_row[BT_EP_DOF_COUNT];
 	signed char m_lastBound[BT_EP_DOF_COUNT] = {};
-	/// Yield values of both shears in the step, with friction [N]: what cracks in it has its bond until the end.
-	btScalar m_shearYield[2] = {};
+	/// Yield values in the step, before fibres take of them [N], [N m]. Shears have their friction: what cracks in it has its bond until the end.
+	btScalar m_yield[BT_EP_DOF_COUNT] = {};
 	FibreStep m_fibres;
 };
 }  // namespace btElasticPlastic

@@ -482,8 +482,8 @@ double flowing(double slip, double elastic)
 }
 }  // namespace
 
-void ShearInteraction::find(const JointModel& model, const btScalar shearYield[2], const btScalar rate[BT_EP_DOF_COUNT],
-							btScalar dt)
+void ShearInteraction::find(const JointModel& model, const btScalar stepYield[BT_EP_DOF_COUNT],
+							const btScalar rate[BT_EP_DOF_COUNT], btScalar dt)
 {
 	m_left.resize(0);
 	m_share[0] = m_share[1] = m_share[2] = 1;
@@ -491,11 +491,7 @@ void ShearInteraction::find(const JointModel& model, const btScalar shearYield[2
 	static const int dofs[6] = {BT_EP_AXIAL,   BT_EP_BENDING_Y, BT_EP_BENDING_Z,
 								BT_EP_SHEAR_Y, BT_EP_SHEAR_Z,   BT_EP_TORSION};
 	double force[6], way[6], flow[6], load = 0, work = 0, grown = 0;
-	const auto yieldOf = [&](int k)
-	{
-		const btScalar yield = k == 3 || k == 4 ? shearYield[k - 3] : capacity.m_yield[dofs[k]];
-		return capacity.isElasticPlastic(dofs[k]) ? double(yield) : 0.;
-	};
+	const auto yieldOf = [&](int k) { return capacity.isElasticPlastic(dofs[k]) ? double(stepYield[dofs[k]]) : 0.; };
 	// A section's own fibres come first, and tell how weak it is in its weaker direction.
 	const JointModel::BearingFibre& first = model.m_bearing[0];
 	const bool isPulled = model.m_state.m_force[BT_EP_AXIAL] > 0;

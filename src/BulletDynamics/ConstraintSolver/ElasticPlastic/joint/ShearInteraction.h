@@ -51,9 +51,10 @@ namespace btElasticPlastic
 class ShearInteraction
 {
 public:
-	/// \param shearYield  yield values of both shears in the step
-	/// \param rate        of strain, with which the step begins
-	void find(const JointModel& model, const btScalar shearYield[2], const btScalar rate[BT_EP_DOF_COUNT], btScalar dt);
+	/// \param stepYield  yield values in the step
+	/// \param rate       of strain, with which the step begins
+	void find(const JointModel& model, const btScalar stepYield[BT_EP_DOF_COUNT], const btScalar rate[BT_EP_DOF_COUNT],
+			  btScalar dt);
 
 	/// Whether anything is taken of the fibres' strength.
 	bool isAny() const { return m_left.size() > 0; }
