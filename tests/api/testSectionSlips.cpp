@@ -24,7 +24,7 @@ struct Energies
 };
 
 /// \param turn  of the figure about its centroid
-Energies energiesOf(const std::vector<Corners>& outlines, double turn = 0, double pieces = 2000)
+Energies energiesOf(const std::vector<Corners>& outlines, double turn = 0, double pieces = 1000)
 {
 	Region region;
 	for (size_t i = 0; i < outlines.size(); ++i)
@@ -62,22 +62,25 @@ TEST(SectionSlips, OfATwistHaveTheTorsionConstant)
 	{
 		const char* m_name;
 		std::vector<Corners> m_outlines;
-		double m_exact, m_error;
-	} sections[] = {{"square", {rectangle(1, 1)}, 0.140577, 0.006},
-					{"1 : 2", {rectangle(2, 1)}, 2 * 0.228682, 0.01},
-					{"1 : 5", {rectangle(5, 1)}, 5 * 0.291317, 0.01},
-					{"equilateral", {{{0, 0}, {0, 1}, {root / 2, 0.5}}}, root / 80, 0.005},
-					{"circle", {circle(1, 100)}, M_PI / 2, 0.005},
-					{"tube", {circle(1, 100), circle(0.9, 100)}, M_PI / 2 * (1 - pow(0.9, 4)), 0.01},
-					// Bredt, and the walls by themselves. A cell of the grid is three walls wide at the corners.
-					{"box",
-					 {rectangle(2, 1), rectangle(1.96, 0.96)},
-					 4 * pow(1.98 * 0.98, 2) * 0.02 / (2 * (1.98 + 0.98)) + 2 * (1.98 + 0.98) * pow(0.02, 3) / 3,
-					 0.02},
-					{"sheet", {rectangle(1, 1e-3)}, 1e-9 / 3 * (1 - 0.63e-3), 0.005}};
+		double m_exact, m_error, m_pieces = 1000;
+	} sections[] = {
+		{"square", {rectangle(1, 1)}, 0.140577, 0.005},
+		{"1 : 2", {rectangle(2, 1)}, 2 * 0.228682, 0.01},
+		{"1 : 5", {rectangle(5, 1)}, 5 * 0.291317, 0.01},
+		{"equilateral", {{{0, 0}, {0, 1}, {root / 2, 0.5}}}, root / 80, 0.005},
+		{"circle", {circle(1, 100)}, M_PI / 2, 0.005},
+		{"tube", {circle(1, 100), circle(0.9, 100)}, M_PI / 2 * (1 - pow(0.9, 4)), 0.01},
+		// Bredt, and the walls by themselves. A cell of the grid is three walls wide at the corners, with as many pieces as sections have.
+		{"box",
+		 {rectangle(2, 1), rectangle(1.96, 0.96)},
+		 4 * pow(1.98 * 0.98, 2) * 0.02 / (2 * (1.98 + 0.98)) + 2 * (1.98 + 0.98) * pow(0.02, 3) / 3,
+		 0.02,
+		 2000},
+		{"sheet", {rectangle(1, 1e-3)}, 1e-9 / 3 * (1 - 0.63e-3), 0.005}};
 	for (const auto& section : sections)
 		for (const double turn : {0., 0.4})
-			EXPECT_NEAR(1, energiesOf(section.m_outlines, turn).m_twist / section.m_exact, section.m_error)
+			EXPECT_NEAR(1, energiesOf(section.m_outlines, turn, section.m_pieces).m_twist / section.m_exact,
+						section.m_error)
 				<< section.m_name << ", " << turn;
 }
 
@@ -103,7 +106,8 @@ TEST(SectionSlips, OfShearsHaveTheShearArea)
 									   {-0.98, -0.5},
 									   {-0.98, -w},
 									   {0.98, -w},
-									   {0.98, -0.5}}});
+									   {0.98, -0.5}}},
+									 0, 2000);
 	EXPECT_NEAR(1, wide.m_alongY / 0.03753, 0.01);
 	EXPECT_NEAR(1, wide.m_alongZ / (2 * 5. / 6 * 0.02), 0.03);
 }

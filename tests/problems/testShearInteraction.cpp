@@ -497,9 +497,9 @@ TEST(ShearInteraction, OfThinClosedWallsLeavesShearWhatTorsionDoesNotTake)
 		for (const double torsion : {0.1, 0.25, 0.5, 0.75, 0.9})
 			for (const size_t shear : {size_t(BT_EP_SHEAR_Y), size_t(BT_EP_SHEAR_Z)})
 				// The bound for all six forces. A tenth of a shear is left beside any torsion, so 0.105 measured with that much of it.
-				// Drawn boxes: 0.095 measured, and 0.135 of 1 : 5, see limits.md.
+				// Drawn boxes: 0.105 measured, and 0.125 of 1 : 5, see limits.md.
 				EXPECT_NEAR(1, borne(section, shear, 1 - torsion, torsion),
-							isDrawn(section) ? 0.14
+							isDrawn(section) ? 0.13
 							: torsion > 0.8  ? 0.11
 											 : 0.08)
 					<< "section " << &section - sections << ", " << shear << " beside " << torsion;
@@ -831,7 +831,7 @@ TEST(ShearInteraction, OfUnequalStrengthsMakesNoEnergyAndIsFoundInFewSteps)
 						slipped += double(joint->getPlasticPath(dof) * joint->getCapacity().m_yield[dof]);
 				}
 			}
-			EXPECT_GT(slipped, 0.25 * plastic) << shape.m_name << ", " << tension;
+			EXPECT_GT(slipped, 0.3 * plastic) << shape.m_name << ", " << tension;
 		}
 		EXPECT_EQ(0, statistics.m_cutSearches) << tension;
 		EXPECT_EQ(0, statistics.m_notFinite) << tension;

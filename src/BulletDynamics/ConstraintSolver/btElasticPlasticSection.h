@@ -92,7 +92,7 @@ struct btElasticPlasticSection
 	/// \param count  about how many, 4 to 400; 0: as many as are right within 3 %. A rectangle takes 4 (25 %), 8 (5.5 %), 12 (2.9 %), 16 (2.4 %), 36 (1 %) or 112 (0.9 %), a
 	///               circle 14 (3.2 %), 20 (1.8 %), 33 (1.1 %) or 101 (0.4 %), a tube as many as are asked for (20: 0.9 %; thick walls 2.8 %), another section multiples
 	///               of 4 for each of its parts (an I-section 12: 5.3 %, 24: 1.7 %, 60: 0.7 %; a box 16: 2.8 %, 24: 1.2 %). A polygon takes as many as are
-	///               asked for, 36 by default, and one more at each corner of thin walls, and some 100 for 1 %, which take it 20 ms, and 400 0.8 s. Each bolt is one.
+	///               asked for, 36 by default, and one more at each corner of thin walls, and some 100 for 1 %, which take it 0.1 s, and 400 0.8 s. Each bolt is one.
 	/// \param withShear  whether shears and torsion yield together with them: all six forces are then right within 8 % of von Mises' theory
 	///               of a section that slips as a whole (a box bears less shear and torsion together, docs/limits.md), and shear takes of the fibres' strength, by the walls that bear it. Of materials that are weaker in
 	///               tension pressure adds to it; those with less than a tenth, or with a friction, are left out. false: shears and torsion each by itself, up to 1.8 times what the section bears where

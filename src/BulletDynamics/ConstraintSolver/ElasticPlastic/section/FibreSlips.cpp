@@ -22,11 +22,7 @@ const double EVEN = 1e-9;
 PrincipalMoments squaresOf(double yy, double yz, double zz) { return principalMoments({1, 0, 0, yy, zz, yz}); }
 
 /// How a cluster slips by shears, squared.
-PrincipalMoments shearOf(const Cluster& cluster)
-{
-	const Region::Point &a = cluster.m_slips.m_alongY, &b = cluster.m_slips.m_alongZ;
-	return squaresOf(a.m_y * a.m_y + b.m_y * b.m_y, a.m_y * a.m_z + b.m_y * b.m_z, a.m_z * a.m_z + b.m_z * b.m_z);
-}
+PrincipalMoments shearOf(const Cluster& cluster) { return principalMoments(shearProducts(cluster.m_slips)); }
 
 /// \param share  of what it slips along, which it slips across
 bool slipsAcrossLess(const PrincipalMoments& shear, double share)

@@ -312,6 +312,12 @@ private:
 };
 }  // namespace
 
+Region::Moments shearProducts(const Slips& slips)
+{
+	const Region::Point &a = slips.m_alongY, &b = slips.m_alongZ;
+	return {1, 0, 0, a.m_y * a.m_y + b.m_y * b.m_y, a.m_z * a.m_z + b.m_z * b.m_z, a.m_y * a.m_z + b.m_y * b.m_z};
+}
+
 void addPointsOf(const Region::Moments& piece, std::vector<SectionPoint>& points)
 {
 	const PrincipalMoments own = principalMoments(piece.centred());

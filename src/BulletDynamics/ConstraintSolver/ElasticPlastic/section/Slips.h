@@ -30,6 +30,9 @@ struct Slips
 /// \param points  some in each cell, with the figure's area and moments of inertia: see addPointsOf()
 std::vector<Slips> slipsOf(const std::vector<SectionPoint>& points);
 
+/// Sums of the products of the slips by both shears, as centred moments: by their principal axes the ways in which it slips most and least.
+Region::Moments shearProducts(const Slips& slips);
+
 const int POINTS_OF_A_PIECE = 4;
 
 /// Adds points that stand for a piece of a figure, with its area and moments of inertia.

@@ -24,14 +24,13 @@ Region::Point wayOf(const SectionPoint* points, const Slips* slips, double& area
 	area = 0;
 	for (int i = 0; i < POINTS_OF_A_PIECE; ++i)
 	{
-		const Region::Point &a = slips[i].m_alongY, &b = slips[i].m_alongZ;
-		const double yy = a.m_y * a.m_y + b.m_y * b.m_y, zz = a.m_z * a.m_z + b.m_z * b.m_z,
-					 yz = a.m_y * a.m_z + b.m_y * b.m_z;
+		const Region::Moments shear = shearProducts(slips[i]);
+		const double sum = shear.m_yy + shear.m_zz;
 		area += points[i].m_area;
-		if (!(yy + zz > 0))
+		if (!(sum > 0))
 			continue;
-		way.m_y += points[i].m_area * (yy - zz) / (yy + zz);
-		way.m_z += points[i].m_area * 2 * yz / (yy + zz);
+		way.m_y += points[i].m_area * (shear.m_yy - shear.m_zz) / sum;
+		way.m_z += points[i].m_area * 2 * shear.m_yz / sum;
 	}
 	return {way.m_y / area, way.m_z / area};
 }
