@@ -12,6 +12,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletCollision/CollisionDispatch/btSimulationIslandManager.h"
 #include "BulletDynamics/ConstraintSolver/btConeTwistConstraint.h"
+#include "BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h"
 #include "problems/Catalogue.h"
 #include "problems/PlanarBlocks.h"
 #include "scenes/HangingChain.h"
@@ -515,6 +516,37 @@ TEST(InnerSteps, ContactsAreFoundBeforeBodiesTouch)
 	EXPECT_LT(deepestContact(with.m_world, 75), 0.01);
 }
 
+TEST(InnerSteps, ContactsAreFoundEarlyWhateverElseIsInTheWorld)
+{
+	// Bullet hands all islands over at once. Beside a structure of some dozen joints that is struck there are as many constraints as a large one has, of bodies that are far away.
+	std::vector<btVector3> places[2];
+	for (const bool isAlone : {true, false})
+	{
+		Drop drop(2, 0.3);
+		World& world = drop.m_world;
+		takeInnerSteps(world);
+		world.bullet().getSimulationIslandManager()->setSplitIslands(false);
+		btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+		btRigidBody &first = *world.body(1, cube, at(100), true), &second = *world.body(1, cube, at(102), true);
+		std::vector<std::unique_ptr<btTypedConstraint>> others;
+		for (int i = 0; i < 2000 && !isAlone; ++i)
+		{
+			others.emplace_back(new btPoint2PointConstraint(first, second, btVector3(1, 0, 0), btVector3(-1, 0, 0)));
+			others.back()->setEnabled(false);
+			world.bullet().addConstraint(others.back().get());
+		}
+		for (int i = 0; i < 60; ++i)
+		{
+			world.step(FRAME);
+			for (const auto& body : world.bodies())
+				places[isAlone].push_back(body->getCenterOfMassPosition());
+		}
+		for (const auto& constraint : others)
+			world.bullet().removeConstraint(constraint.get());
+	}
+	EXPECT_TRUE(places[0] == places[1]);
+}
+
 TEST(InnerSteps, AJointThatIsSwitchedOffKeepsNoneGoing)
 {
 	World world(Solver::Direct, btVector3(0, 0, 0));
@@ -655,6 +687,33 @@ TEST(InnerSteps, AnEdgeThatPassesByAFaceIsNoContactAhead)
 	world.step(FRAME);
 	EXPECT_NEAR(-10, double(first.getLinearVelocity().y()), byPrecision(1e-9, 1e-4));
 	EXPECT_NEAR(0, double(first.getLinearVelocity().x()), byPrecision(1e-9, 1e-4));
+}
+
+TEST(InnerSteps, TakePenetrationBackOnce)
+{
+	// A bar of two boxes begins 5 mm deep in a wall, while one of them turns the other by a joint that yields. All of a step's share of the depth is
+	// taken back whether the step has parts or not, and at the price of one more solution: with each of n parts it would be 1 - (1 - erp / n)^n.
+	const btScalar depth = btScalar(0.005);
+	for (const bool hasInner : {false, true})
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		takeInnerSteps(world, hasInner ? ERROR_ALLOWED : 0);
+		btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
+		world.body(0, cube, at(0));
+		btRigidBody &first = *world.body(100, cube, at(1 - depth)), &second = *world.body(100, cube, at(2 - depth));
+		for (const auto& body : world.bodies())
+			body->setFriction(0);
+		world.joint(first, second, at(btScalar(1.5) - depth), evenCapacity(1e7, 1e4));
+		second.setAngularVelocity(btVector3(20, 0, 0));
+		world.step(FRAME);
+		const btElasticPlasticStatistics statistics = statisticsOf(world);
+		EXPECT_EQ(hasInner, statistics.m_innerSteps > 0);
+		// Contacts of the second solution give by 1 % of what parts one box, here of two.
+		EXPECT_NEAR(double(world.bullet().getSolverInfo().m_erp2 * depth) / 1.02,
+					double(first.getCenterOfMassPosition().x() - (1 - depth)), byPrecision(1e-9, 1e-6))
+			<< hasInner;
+		EXPECT_NEAR(0, double(first.getLinearVelocity().x()), byPrecision(1e-9, 1e-4));
+	}
 }
 
 /// Adds to velocities when it is told to.

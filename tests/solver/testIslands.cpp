@@ -89,6 +89,7 @@ public:
 		group.m_constraints = constraints.data();
 		group.m_numConstraints = int(constraints.size());
 		group.m_joints = joints.data();
+		m_islands.find(group);
 		m_islands.split(group);
 		std::vector<std::vector<int>> numbers;
 		for (int i = 0; i <= m_islands.getNumIslands(); ++i)

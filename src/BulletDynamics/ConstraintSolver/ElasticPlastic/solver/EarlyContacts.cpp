@@ -17,6 +17,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "InnerSteps.h"
 #include "LinearMath/btTransformUtil.h"
 
 namespace btElasticPlastic
@@ -31,9 +32,9 @@ const btScalar TOUCH = btScalar(0.001);
 const btScalar INTO = btScalar(0.003);
 /// The cosine of what normals of the same face differ by, at most.
 const btScalar SAME_FACE = btScalar(0.9);
-/// The companion id of a body with an elastic-plastic joint, while contacts are found. Bullet does not use it between two solutions, but
-/// that what is static has -2, and -1 is what has none.
-const int JOINED = -3;
+/// Where an island has more constraints than this, contacts are taken as Bullet finds them: those found early are solved exactly, and a large
+/// structure that is hit takes twice the work for them.
+const int MOST_LOOKED_AHEAD = 1500;
 
 /// The body's own axis about which a shape is round; -1: none.
 int getAxisOfSymmetry(const btCollisionShape& shape)
@@ -185,12 +186,15 @@ void findPlace(const Way ways[2], btManifoldPoint& point)
 	point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
 }
 
-bool isCandidate(const btPersistentManifold& manifold, bool takesBounces)
+bool isCandidate(const btPersistentManifold& manifold, Islands& islands, const btElasticPlasticSolverSettings& settings)
 {
 	const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-	return manifold.getNumContacts() < MANIFOLD_CACHE_SIZE &&
-		   (a.getCompanionId() == JOINED || b.getCompanionId() == JOINED) && a.getCollisionShape()->isConvex() &&
-		   b.getCollisionShape()->isConvex() && (takesBounces || a.getRestitution() * b.getRestitution() == 0);
+	if (manifold.getNumContacts() >= MANIFOLD_CACHE_SIZE || !(islands.isJoined(a) || islands.isJoined(b)) ||
+		!a.getCollisionShape()->isConvex() || !b.getCollisionShape()->isConvex())
+		return false;
+	const int numConstraints = islands.countConstraints(a, b);
+	const bool bounces = a.getRestitution() * b.getRestitution() != 0;
+	return numConstraints <= MOST_LOOKED_AHEAD && (!bounces || InnerSteps::mayBounce(numConstraints, settings));
 }
 
 /// Where a pair touches at an edge or a corner, the rest of the face may follow as it turns: adds the points of the same face that are no further apart than the
@@ -272,27 +276,21 @@ void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& disp
 }
 }  // namespace
 
-void EarlyContacts::find(SolverGroup& group, btScalar dt, bool takesBounces, btDispatcher& dispatcher)
+bool EarlyContacts::find(SolverGroup& group, Islands& islands, btScalar dt,
+						 const btElasticPlasticSolverSettings& settings, btDispatcher& dispatcher)
 {
-	const auto mark = [&](int id)
-	{
-		for (int i = 0; i < group.m_numConstraints; ++i)
-		{
-			group.prefetchAfter(i);
-			if (group.m_joints[i])
-				for (btRigidBody* body :
-					 {&group.m_constraints[i]->getRigidBodyA(), &group.m_constraints[i]->getRigidBodyB()})
-					if (!body->isStaticOrKinematicObject())
-						body->setCompanionId(id);
-		}
-	};
-	mark(JOINED);
+	bool doMeet = false;
 	// Bullet's algorithms make manifolds for themselves, and the group's may be in the dispatcher's own array.
 	m_manifolds.assign(group.m_manifolds, group.m_manifolds + group.m_numManifolds);
 	group.m_manifolds = m_manifolds.data();
 	for (btPersistentManifold* manifold : m_manifolds)
-		if (isCandidate(*manifold, takesBounces))
-			findContact(*manifold, dt, dispatcher);
-	mark(-1);
+	{
+		if (!isCandidate(*manifold, islands, settings))
+			continue;
+		const bool wasEmpty = manifold->getNumContacts() == 0;
+		findContact(*manifold, dt, dispatcher);
+		doMeet |= wasEmpty && manifold->getNumContacts() > 0;
+	}
+	return doMeet;
 }
 }  // namespace btElasticPlastic

@@ -4,6 +4,7 @@
 #ifndef BT_ELASTIC_PLASTIC_EARLY_CONTACTS_H
 #define BT_ELASTIC_PLASTIC_EARLY_CONTACTS_H
 
+#include "../../btElasticPlasticSolverSettings.h"
 #include "Islands.h"
 #include "LinearMath/btScalar.h"
 
@@ -23,10 +24,12 @@ class EarlyContacts
 {
 public:
 	/// Adds points to empty manifolds of pairs that meet in the coming step of dt > 0 [s], of which at least one has an elastic-plastic
-	/// joint.
-	/// \param takesBounces  whether pairs that bounce are wanted
-	/// \param group         gets an array of its manifolds that is kept until the next call
-	void find(SolverGroup& group, btScalar dt, bool takesBounces, btDispatcher& dispatcher);
+	/// joint, and that are no part of too large a structure.
+	/// \param group    gets an array of its manifolds that is kept until the next call
+	/// \param islands  of the group; what else it has makes no difference to a structure
+	/// \return whether anything meets, so that islands are others now
+	bool find(SolverGroup& group, Islands& islands, btScalar dt, const btElasticPlasticSolverSettings& settings,
+			  btDispatcher& dispatcher);
 
 private:
 	std::vector<btPersistentManifold*> m_manifolds;

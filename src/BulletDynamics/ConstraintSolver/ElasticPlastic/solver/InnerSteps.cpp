@@ -81,6 +81,8 @@ btElasticPlasticState::InnerRhythm rhythmOf(const SolverGroup& island)
 	return rhythm;
 }
 
+bool holds(const JointWorks& joint) { return !joint.m_model.m_fault && !joint.m_model.m_state.m_broken; }
+
 /// Begins a step that may have inner ones. \return the joints' action, null if they do not have one in common that ends their steps, or if none of them holds: of
 /// rubble nothing is left that a blow could bend
 JointRegistry* beginJoints(const SolverGroup& island)
@@ -94,7 +96,7 @@ JointRegistry* beginJoints(const SolverGroup& island)
 		if (!joint)
 			continue;
 		const bool isEnded = joint->beginInside();
-		if (joint->m_model.m_fault || joint->m_model.m_state.m_broken)
+		if (!holds(*joint))
 			continue;
 		registry = registry ? registry : joint->m_entry.m_registry;
 		isOne &= isEnded && joint->m_entry.m_registry == registry && !joint->m_model.m_isPaper;
@@ -117,7 +119,7 @@ double yieldEnergyOf(const SolverGroup& island)
 	double sum = 0;
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
-		if (!island.m_joints[i])
+		if (!island.m_joints[i] || !holds(*island.m_joints[i]))
 			continue;
 		const btElasticPlasticCapacity& capacity = island.m_joints[i]->m_model.m_capacity;
 		double least = SIMD_INFINITY;
@@ -215,9 +217,9 @@ bool hasWorkForContacts(const SolverGroup& island, const btElasticPlasticSolverS
 }
 }  // namespace
 
-bool InnerSteps::mayBeTaken(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
+bool InnerSteps::mayBeTaken(int numConstraints, const btElasticPlasticSolverSettings& settings)
 {
-	return areAsked(settings) && LEAST_WORK_A_JOINT * island.m_numConstraints << LEAST_LEVEL <= settings.m_maxInnerWork;
+	return areAsked(settings) && LEAST_WORK_A_JOINT * numConstraints << LEAST_LEVEL <= settings.m_maxInnerWork;
 }
 
 bool InnerSteps::areAsked(const btElasticPlasticSolverSettings& settings)
@@ -225,9 +227,9 @@ bool InnerSteps::areAsked(const btElasticPlasticSolverSettings& settings)
 	return settings.m_innerError > 0 && settings.m_maxInnerSteps > 1;
 }
 
-bool InnerSteps::mayBounce(const SolverGroup& group, const btElasticPlasticSolverSettings& settings)
+bool InnerSteps::mayBounce(int numConstraints, const btElasticPlasticSolverSettings& settings)
 {
-	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL && mayBeTaken(group, settings);
+	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL && mayBeTaken(numConstraints, settings);
 }
 
 void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& info,
@@ -237,8 +239,8 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	Task task = {
 		island,        info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
 		InnerRhythm(), 0,    0,        0,          0};
-	const bool isStep = info.m_timeStep > 0,
-			   hasRoom = isStep && mayBeTaken(island, settings) && hasWorkForContacts(island, settings);
+	const bool isStep = info.m_timeStep > 0, hasRoom = isStep && mayBeTaken(island.m_numConstraints, settings) &&
+													   hasWorkForContacts(island, settings);
 	// Ropes are told when tension comes on and when the step changes, whether there may be inner steps or not.
 	const bool isLookedAt = hasRoom || (isStep && mayGoBack(settings) && hasRope(island));
 	JointRegistry* const registry = isLookedAt ? beginJoints(island) : nullptr;
@@ -246,7 +248,7 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	const bool mayTake = hasRoom && registry && !registry->isStepControlled();
 	if (!registry || (!mayTake && !hasRope(island)))
 	{
-		solution.solveStep(info, 1, settings.m_maxWork);
+		solution.solveStep(info, StepPart::whole(), settings.m_maxWork);
 		return;
 	}
 	if (!mayTake)
@@ -318,7 +320,7 @@ int InnerSteps::beginLevel(Task& task)
 InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 {
 	++task.m_numSolutions;
-	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
+	task.m_solution.solveStep(task.m_info, StepPart::whole(), task.m_settings.m_maxWork);
 	const double dt = task.m_info.m_timeStep;
 	Attempt attempt = {};
 	const OpenShare left = measure(task.m_island, dt, dt, attempt.m_flows, &attempt.m_isTaut);
@@ -386,7 +388,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		const btScalar h = dt / btScalar(1 << run.m_level);
 		left -= parts;
 		m_state.carry(dt * btScalar(all - left) / btScalar(all), h, task.m_info.m_restitutionVelocityThreshold);
-		solveInnerStep(task, h, ahead);
+		solveInnerStep(task, h, ahead, steps == 0);
 		judge(task, h, run, attempt);
 		btSetMax(open, attempt.m_open);
 		btSetMax(doubted, attempt.m_doubted);
@@ -454,7 +456,7 @@ void InnerSteps::setInnerLength(Task& task, btScalar before, int level)
 }
 
 /// \param ahead  how many such steps are left, with it
-void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead)
+void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead, bool isFirst)
 {
 	const btScalar share = h / task.m_info.m_timeStep;
 	btContactSolverInfo info = task.m_info;
@@ -464,7 +466,8 @@ void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead)
 	++task.m_numSolutions;
 	++task.m_statistics.m_innerSteps;
 	const bool isBounded = task.m_settings.m_maxWork > 0;
-	task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / ahead, 1ll) : 0);
+	task.m_solution.solveStep(info, isFirst ? StepPart::first(share) : StepPart::later(share),
+							  isBounded ? btMax(task.getWorkLeft() / ahead, 1ll) : 0);
 }
 
 void InnerSteps::Run::add(const OpenShare& share, double error)

@@ -8,6 +8,7 @@
 #include "../../btElasticPlasticStatistics.h"
 #include "../joint/OpenShare.h"
 #include "IslandState.h"
+#include "StepPart.h"
 #include "StepParameters.h"
 
 struct btContactSolverInfo;
@@ -31,22 +32,21 @@ public:
 	class Solution
 	{
 	public:
-		/// \param share    of the world's step
 		/// \param maxWork  of this solution, as btElasticPlasticSolverSettings::m_maxWork
-		virtual void solveStep(const btContactSolverInfo& info, btScalar share, long long maxWork) = 0;
+		virtual void solveStep(const btContactSolverInfo& info, const StepPart& part, long long maxWork) = 0;
 
 	protected:
 		~Solution() {}
 	};
 
-	/// Whether there may be inner steps for an island: the settings ask for them, and it is not too large for the work that they allow.
-	static bool mayBeTaken(const SolverGroup& island, const btElasticPlasticSolverSettings& settings);
+	/// Whether there may be inner steps for an island of so many constraints: the settings ask for them, and it is not too large for the work that they allow.
+	static bool mayBeTaken(int numConstraints, const btElasticPlasticSolverSettings& settings);
 
 	/// Whether the settings ask for them, for islands that are not too large.
 	static bool areAsked(const btElasticPlasticSolverSettings& settings);
 
 	/// Whether there may be enough of them for what bounces: with fewer it is to touch before it does.
-	static bool mayBounce(const SolverGroup& group, const btElasticPlasticSolverSettings& settings);
+	static bool mayBounce(int numConstraints, const btElasticPlasticSolverSettings& settings);
 
 	/// Solves an island for a step.
 	void solve(const SolverGroup& island, const btContactSolverInfo& info,
@@ -111,7 +111,7 @@ private:
 	Attempt solveWhole(Task& task);
 	Attempt solveInner(Task& task, int level);
 	void setInnerLength(Task& task, btScalar before, int level);
-	static void solveInnerStep(Task& task, btScalar h, int ahead);
+	static void solveInnerStep(Task& task, btScalar h, int ahead, bool isFirst);
 	void judge(const Task& task, btScalar h, Run& run, Attempt& attempt) const;
 	bool mayBeLonger(const Task& task, const Run& run, btScalar longer);
 	bool hasWorkForAnother(const Task& task) const;

@@ -54,7 +54,7 @@ void Islands::join(const btCollisionObject& a, const btCollisionObject& b)
 }
 
 /// A body's place in the group is kept in its companion id, which Bullet does not use between two solutions.
-void Islands::findIslands(const SolverGroup& group)
+void Islands::find(const SolverGroup& group)
 {
 	m_parent.resize(group.m_numBodies);
 	m_members.assign(group.m_bodies, group.m_bodies + group.m_numBodies);
@@ -76,22 +76,36 @@ void Islands::findIslands(const SolverGroup& group)
 			join(*group.m_manifolds[i]->getBody0(), *group.m_manifolds[i]->getBody1());
 
 	m_islands.assign(group.m_numBodies, -1);
+	m_numConstraints.assign(group.m_numBodies, 0);
+	m_isJoined.assign(group.m_numBodies, 0);
 	m_numIslands = 0;
 	for (int i = 0; i < group.m_numConstraints; ++i)
 	{
 		group.prefetchAfter(i);
+		const btRigidBody *const a = &group.m_constraints[i]->getRigidBodyA(),
+								 *const b = &group.m_constraints[i]->getRigidBodyB(),
+								 *const moving = isMember(*a) ? a : b;
+		if (!isMember(*moving))
+			continue;
+		const int root = rootOf(moving->getCompanionId());
+		++m_numConstraints[root];
 		if (!group.m_joints[i])
 			continue;
-		const btRigidBody& a = group.m_constraints[i]->getRigidBodyA();
-		const btRigidBody& moving = isMember(a) ? a : group.m_constraints[i]->getRigidBodyB();
-		if (!isMember(moving))
-			continue;
-		int& number = m_islands[rootOf(moving.getCompanionId())];
-		if (number < 0)
-			number = m_numIslands++;
+		for (const btRigidBody* body : {a, b})
+			if (isMember(*body))
+				m_isJoined[body->getCompanionId()] = 1;
+		if (m_islands[root] < 0)
+			m_islands[root] = m_numIslands++;
 	}
 	for (int i = 0; i < group.m_numBodies; ++i)
 		m_islands[i] = m_parent[i] < 0 || m_islands[rootOf(i)] < 0 ? m_numIslands : m_islands[rootOf(i)];
+}
+
+int Islands::countConstraints(const btCollisionObject& a, const btCollisionObject& b)
+{
+	const int rootA = isMember(a) ? rootOf(a.getCompanionId()) : -1,
+			  rootB = isMember(b) ? rootOf(b.getCompanionId()) : -1;
+	return (rootA >= 0 ? m_numConstraints[rootA] : 0) + (rootB >= 0 && rootB != rootA ? m_numConstraints[rootB] : 0);
 }
 
 int Islands::numberOf(const btCollisionObject& body) const
@@ -126,7 +140,6 @@ void Islands::Sorted<T>::sort(T** items, int numIslands)
 
 void Islands::split(const SolverGroup& group)
 {
-	findIslands(group);
 	const auto key = [this](const btCollisionObject& a, const btCollisionObject& b, int order, int source) {
 		return Key{uint64_t(orderOf(a)) << 32 | orderOf(b), order, source, numberOf(isMember(a) ? a : b)};
 	};

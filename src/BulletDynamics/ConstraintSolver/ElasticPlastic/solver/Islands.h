@@ -50,7 +50,18 @@ struct SolverGroup
 class Islands
 {
 public:
-	/// Bodies, manifolds and constraints must outlive the result, the group's arrays need not.
+	/// Finds the islands of a group, by its constraints and by the contacts that there are.
+	void find(const SolverGroup& group);
+
+	/// After find(): whether a body has an elastic-plastic joint, and moves.
+	bool isJoined(const btCollisionObject& body) const
+	{
+		return isMember(body) && m_isJoined[size_t(body.getCompanionId())] != 0;
+	}
+	/// After find(): how many constraints the island of two bodies has, or will have once they touch.
+	int countConstraints(const btCollisionObject& a, const btCollisionObject& b);
+
+	/// Takes a group apart, after find(). Bodies, manifolds and constraints must outlive the result, the group's arrays need not.
 	void split(const SolverGroup& group);
 
 	int getNumIslands() const { return m_numIslands; }  ///< with elastic-plastic joints
@@ -80,7 +91,6 @@ private:
 		void sort(T** items, int numIslands);
 	};
 
-	void findIslands(const SolverGroup& group);
 	void join(const btCollisionObject& a, const btCollisionObject& b);
 	bool isMember(const btCollisionObject& body) const;
 	int rootOf(int body);
@@ -91,6 +101,8 @@ private:
 	std::vector<btCollisionObject*> m_members;  // bodies of the group
 	std::vector<int> m_parent;                  // of a forest of the group's bodies, -1 for those that do not move
 	std::vector<int> m_islands;                 // per body
+	std::vector<int> m_numConstraints;          // of the island of which a body is the root
+	std::vector<char> m_isJoined;               // per body
 	Sorted<btCollisionObject> m_bodies;
 	Sorted<btPersistentManifold> m_manifolds;
 	Sorted<btTypedConstraint> m_constraints;

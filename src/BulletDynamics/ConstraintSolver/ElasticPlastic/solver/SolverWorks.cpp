@@ -15,10 +15,6 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Where more constraints than this come at once, contacts are taken as Bullet finds them: those found early are solved exactly, and a large
-/// structure that is hit takes twice the work for them.
-const int MOST_LOOKED_AHEAD = 1500;
-
 /// Whether all bodies of an island sleep. Bullet leaves out sleeping islands itself, unless the world does not split islands.
 bool isAsleep(const SolverGroup& island)
 {
@@ -125,10 +121,12 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher, m_isInPool);
 		return SolverGroup();
 	}
-	if (!m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::areAsked(m_settings) &&
-		group.m_numConstraints <= MOST_LOOKED_AHEAD && !(m_registry && m_registry->isStepControlled()))
-		m_earlyContacts.find(group, info.m_timeStep, InnerSteps::mayBounce(group, m_settings), *dispatcher);
-	splitFound(group);
+	const bool looksAhead = !m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::areAsked(m_settings) &&
+							!(m_registry && m_registry->isStepControlled());
+	findIslands(group);
+	if (looksAhead && m_earlyContacts.find(group, m_islands, info.m_timeStep, m_settings, *dispatcher))
+		m_islands.find(group);
+	m_islands.split(group);
 	solveIslands(info, debugDrawer, dispatcher);
 	return getOthers();
 }
@@ -139,16 +137,17 @@ bool SolverWorks::split(const SolverGroup& given)
 		return false;
 	SolverGroup group = given;
 	group.m_joints = &m_joints[0];
-	splitFound(group);
+	findIslands(group);
+	m_islands.split(group);
 	return true;
 }
 
-/// A group of which the joints are known.
-void SolverWorks::splitFound(const SolverGroup& group)
+/// Of a group of which the joints are known.
+void SolverWorks::findIslands(const SolverGroup& group)
 {
 	if (m_isInPool)
 		beginStepInPool();
-	m_islands.split(group);
+	m_islands.find(group);
 }
 
 void SolverWorks::solveIslands(const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher)

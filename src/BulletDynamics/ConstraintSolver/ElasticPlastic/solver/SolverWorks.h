@@ -57,7 +57,7 @@ private:
 	/// \return whether there is any elastic-plastic joint
 	bool findJoints(const SolverGroup& group);
 	void beginStepInPool();
-	void splitFound(const SolverGroup& group);
+	void findIslands(const SolverGroup& group);
 	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
 
 	btElasticPlasticSolverSettings m_settings;
