@@ -26,75 +26,68 @@ btElasticPlasticMaterial stiffSteel(double factor)
 	return steel;
 }
 
-/// A beam of 1 m between two supports that hold its ends in all directions: two halves with a body between them. First it bends; as it
-/// sags it comes under tension, which takes of the moments, and in the end it hangs as a cable.
-struct HeldBeam
+/// Haythornthwaite's beam (1957): rigid and perfectly plastic, 1 m between two supports that hold its ends in all directions, with a body in the middle. First it
+/// bends; as it sags it comes under tension, which takes of the moments, and in the end it hangs as a cable.
+namespace held
 {
-	static constexpr double SIDE = 0.02, LENGTH = 1;
+const double SIDE = 0.02, LENGTH = 1;
 
-	World m_world;
-	btRigidBody* m_middle;
+/// Two halves that weigh next to nothing.
+StruckBeam::Settings settings(const Method& method, double mass, double speed)
+{
+	StruckBeam::Settings s;
+	s.method = method;
+	s.halfParts = 1;
+	s.length = LENGTH;
+	s.height = s.width = SIDE;
+	s.density = 50;
+	s.mass = mass;
+	s.speed = speed;
+	const btElasticPlasticMaterial steel = stiffSteel(1000);
+	const btElasticPlasticSection section =
+		btElasticPlasticSection::rectangle(btScalar(SIDE), btScalar(SIDE)).withFibres(method.fibres);
+	s.capacity = [=](btScalar lengthA, btScalar lengthB)
+	{ return btElasticPlasticCapacity::fromMember(steel, section, lengthA, lengthB); };
+	return s;
+}
 
-	HeldBeam(const Method& method, double mass) : m_world(method, btVector3(0, 0, 0))
+/// At which it begins to flow: 8 Mp / L [N].
+double load() { return 8 * BEAM_YIELD * SIDE * SIDE * SIDE / 4 / LENGTH; }
+
+/// What it has taken up when it sags by w: the load for that is Pc (1 + (w / h)^2) until w is the height h, and 2 Pc w / h from then on [J].
+double energyAt(double sag)
+{
+	const double w = sag / SIDE;
+	return load() * SIDE * (w < 1 ? w + w * w * w / 3 : 1. / 3 + w * w);
+}
+
+/// The way back [m].
+double sagAfter(double energy)
+{
+	double low = 0, high = 10 * SIDE;
+	for (int i = 0; i < 100; ++i)
 	{
-		const btScalar part = btScalar(LENGTH / 2), side = btScalar(SIDE), partMass = btScalar(0.01);
-		btCollisionShape* const half = m_world.box(btVector3(part, side, side));
-		btCollisionShape* const cube = m_world.box(btVector3(btScalar(0.1), btScalar(0.1), btScalar(0.1)));
-		btRigidBody* const bodies[] = {
-			m_world.body(0, cube, at(0), false), m_world.body(partMass, half, at(part / 2), false),
-			m_world.body(btScalar(mass), cube, at(part), false), m_world.body(partMass, half, at(part * 3 / 2), false),
-			m_world.body(0, cube, at(2 * part), false)};
-		m_middle = bodies[2];
-		const btElasticPlasticSection section =
-			btElasticPlasticSection::rectangle(side, side).withFibres(method.fibres);
-		for (int i = 0; i < 4; ++i)
-		{
-			const bool isPartFirst = i % 2 == 1;
-			m_world.joint(*bodies[i], *bodies[i + 1], at(part * btScalar((i + 1) / 2)),
-						  btElasticPlasticCapacity::fromMember(stiffSteel(1000), section, isPartFirst ? part : 0,
-															   isPartFirst ? 0 : part));
-		}
+		const double middle = (low + high) / 2;
+		(energyAt(middle) < energy ? low : high) = middle;
 	}
-
-	double sag() const { return -double(m_middle->getCenterOfMassPosition().y()); }
-
-	/// At which it begins to flow: 8 Mp / L [N].
-	static double load() { return 8 * BEAM_YIELD * SIDE * SIDE * SIDE / 4 / LENGTH; }
-	/// What it has taken up when it sags by w: the load for that is Pc (1 + (w / h)^2) until w is the height h, and 2 Pc w / h from then on,
-	/// by Haythornthwaite (1957) [J].
-	static double energyAt(double sag)
-	{
-		const double w = sag / SIDE;
-		return load() * SIDE * (w < 1 ? w + w * w * w / 3 : 1. / 3 + w * w);
-	}
-	/// The way back [m].
-	static double sagAfter(double energy)
-	{
-		double low = 0, high = 10 * SIDE;
-		for (int i = 0; i < 100; ++i)
-		{
-			const double middle = (low + high) / 2;
-			(energyAt(middle) < energy ? low : high) = middle;
-		}
-		return low;
-	}
-};
+	return low;
+}
+}  // namespace held
 
 /// Pushed by a body that it hardly slows down: what it has taken up when it sags by a half, one, two and four times its height.
 Outcome pushedBeam(const Method& method, const Stepping& stepping)
 {
 	const double mass = 1e5, speed = 0.25;
-	HeldBeam beam(method, mass);
-	beam.m_middle->setLinearVelocity(btVector3(0, btScalar(-speed), 0));
+	StruckBeam beam(held::settings(method, mass, speed));
 	Outcome outcome;
 	Run run(beam.m_world, stepping, outcome);
 	for (const double heights : {0.5, 1., 2., 4.})
 	{
-		while (run.stepsUntil(1) > 0 && beam.sag() < heights * HeldBeam::SIDE)
+		while (run.stepsUntil(1) > 0 && beam.sag() < heights * held::SIDE)
 			run.step();
-		const double left = double(beam.m_middle->getLinearVelocity().y());
+		const double left = beam.sagRate();
 		outcome.quantities.push_back({format("energy taken up at a sag of %.1f heights [J]", heights),
-									  mass * (speed * speed - left * left) / 2, HeldBeam::energyAt(beam.sag())});
+									  mass * (speed * speed - left * left) / 2, held::energyAt(beam.sag())});
 	}
 	return outcome;
 }
@@ -131,8 +124,7 @@ Outcome struckBeam(const Method& method, const Stepping& stepping)
 	Outcome outcome;
 	for (const double energy : {25., 100., 400., 900.})
 	{
-		HeldBeam beam(method, mass);
-		beam.m_middle->setLinearVelocity(btVector3(0, btScalar(-std::sqrt(2 * energy / mass)), 0));
+		StruckBeam beam(held::settings(method, mass, std::sqrt(2 * energy / mass)));
 		double most = 0;
 		{
 			Run run(beam.m_world, stepping, outcome);
@@ -143,7 +135,7 @@ Outcome struckBeam(const Method& method, const Stepping& stepping)
 			}
 		}
 		outcome.quantities.push_back(
-			{format("largest sag after a blow of %.0f J [m]", energy), most, HeldBeam::sagAfter(energy)});
+			{format("largest sag after a blow of %.0f J [m]", energy), most, held::sagAfter(energy)});
 	}
 	return outcome;
 }
