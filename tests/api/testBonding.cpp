@@ -216,15 +216,21 @@ TEST(Bonding, AJoinedWallStandsAndFallsWhenItIsWeakened)
 	mortar.m_youngsModulus = btScalar(5e9);
 	mortar.m_yieldStress = btScalar(0.5e6);
 	mortar.m_ultimatePlasticStrain = btScalar(0.001);
+	// What the caller has already stays his.
+	joints.push_back(nullptr);
 	EXPECT_FALSE(
 		Bonding::joinAll(world.bullet(), world.action(), bodies.data(), int(bodies.size()), 0, mortar, joints));
+	EXPECT_EQ(1, joints.size());
 	ASSERT_TRUE(
 		Bonding::joinAll(world.bullet(), world.action(), bodies.data(), int(bodies.size()), GAP, mortar, joints));
+	ASSERT_EQ(nullptr, joints[0]);
+	joints.remove(nullptr);
 	std::vector<std::unique_ptr<btElasticPlastic6DofSpring2Constraint>> owners;
 	for (int i = 0; i < joints.size(); ++i)
 		owners.emplace_back(joints[i]);
 	// On the ground 4, beside each other 3 in each row, and between rows 7.
 	EXPECT_EQ(4 + 4 * 3 + 3 * 7, joints.size());
+	EXPECT_EQ(joints.size(), world.action().getNumJoints());
 	run(world, 60);
 	double weight = 0;
 	for (int i = 0; i < joints.size(); ++i)

@@ -66,6 +66,18 @@ TEST(DebugDraw, ColoursJointsByUse)
 	row.m_world.bullet().setDebugDrawer(nullptr);
 }
 
+TEST(DebugDraw, WhatIsBrokenOnPurposeIsDarkToo)
+{
+	Row row(1);
+	row.run(1);
+	ASSERT_TRUE(row.m_world.action().breakJoint(row.m_world.bullet(), row.m_joints[0]));
+	ASSERT_LT(row.m_joints[0]->getDamage(), btScalar(0.5));
+	Canvas canvas;
+	row.m_world.action().debugDraw(&canvas);
+	ASSERT_GT(canvas.m_lines, 0);
+	EXPECT_LT(canvas.m_colours[0].length(), 0.3);
+}
+
 TEST(DebugDraw, BulletDrawsFramesUnderConstraintsAlone)
 {
 	for (bool fallsAsleep : {false, true})

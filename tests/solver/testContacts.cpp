@@ -102,10 +102,10 @@ TEST(Contacts, BeamOnSupportsSinksUnderADroppedMass)
 	// of the supports that is taken back bends nothing.
 	const Drop coarse(60), fine(240);
 	const double final = 0.3327, largest = 0.3361;
-	EXPECT_NEAR(1, coarse.m_final / final, 0.2);
-	EXPECT_NEAR(1, coarse.m_largest / largest, 0.2);
-	EXPECT_NEAR(1, fine.m_final / final, 0.12);
-	EXPECT_NEAR(1, fine.m_largest / largest, 0.12);
+	EXPECT_NEAR(1, coarse.m_final / final, 0.05);
+	EXPECT_NEAR(1, coarse.m_largest / largest, 0.05);
+	EXPECT_NEAR(1, fine.m_final / final, 0.05);
+	EXPECT_NEAR(1, fine.m_largest / largest, 0.05);
 	EXPECT_EQ(0, coarse.m_fallbacks + fine.m_fallbacks);
 }
 

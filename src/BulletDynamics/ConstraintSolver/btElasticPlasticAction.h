@@ -83,8 +83,8 @@ public:
 	void setListener(btElasticPlasticListener* listener);
 
 	/// Takes the oldest event from the queue. \return false if there is none.
-	/// The queue holds the newest event of each joint and kind: yield, break, and a quantity that has passed its level. Unread, it
-	/// stays bounded.
+	/// The queue holds the newest event of each joint and kind: yield, break, a quantity that has passed its level, and the crack and the rupture of
+	/// each fibre. Unread, it stays bounded.
 	bool popEvent(btElasticPlasticEvent& event);
 
 	/// Bullet lets bodies sleep by their speed alone. Bodies stay awake, too, while the load of a joint of theirs changes within two

@@ -340,15 +340,15 @@ bool btElasticPlasticBonding::joinAll(btDynamicsWorld& world, btElasticPlasticAc
 									  const btElasticPlasticMaterial& material,
 									  btAlignedObjectArray<btElasticPlastic6DofSpring2Constraint*>& joints)
 {
-	joints.resize(0);
 	btAlignedObjectArray<btElasticPlasticFace> faces;
 	if (!findFaces(bodies, numBodies, gap, faces))
 		return false;
 	for (int i = 0; i < faces.size(); ++i)
 	{
-		joints.push_back(join(faces[i], capacityOf(faces[i], material)));
-		world.addConstraint(joints[i], true);
-		action.addJoint(joints[i]);
+		btElasticPlastic6DofSpring2Constraint* const joint = join(faces[i], capacityOf(faces[i], material));
+		joints.push_back(joint);
+		world.addConstraint(joint, true);
+		action.addJoint(joint);
 	}
 	return true;
 }

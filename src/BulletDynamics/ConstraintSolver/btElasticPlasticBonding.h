@@ -36,7 +36,8 @@ struct btElasticPlasticBonding
 	/// Finds all faces between the given bodies, of which at least one has to move.
 	/// \param gap  the largest distance between two faces that counts as touching, and how deep they may overlap [m], > 0; the
 	///             collision margins of hulls are taken for what they are, a part of the body
-	/// \return false, with no faces, if the gap is not finite and greater than 0, or a body is null or its place not finite
+	/// \param faces  gets them; what it held before is gone
+	/// \return false, with no faces, if the gap is not finite and greater than 0, or a body is null or its place not finite or no rotation
 	static bool findFaces(btRigidBody* const* bodies, int numBodies, btScalar gap,
 						  btAlignedObjectArray<btElasticPlasticFace>& faces);
 
@@ -53,7 +54,7 @@ struct btElasticPlasticBonding
 
 	/// All at once: finds faces, and puts a joint into each of them, the world and the action. Joined bodies do not collide with each
 	/// other until their joint breaks.
-	/// \param joints  gets the joints, which the caller owns
+	/// \param joints  the joints are added to it; the caller owns them
 	/// \return false, and nothing changes, as findFaces()
 	static bool joinAll(btDynamicsWorld& world, btElasticPlasticAction& action, btRigidBody* const* bodies,
 						int numBodies, btScalar gap, const btElasticPlasticMaterial& material,

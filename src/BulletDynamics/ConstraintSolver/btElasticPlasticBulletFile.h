@@ -24,7 +24,7 @@ class btTypedConstraint;
 ///
 /// \param file   as it was written; Bullet may change its own copy while it loads it
 /// \param size   of the file [bytes]
-/// \param made   gets the joints, which are made by new and the caller's to delete; their btElasticPlasticJoint is told by from()
+/// \param made   the joints are added to it, which are made by new and the caller's to delete; their btElasticPlasticJoint is told by from()
 /// \param first  index in the world of the first constraint that was loaded: how many there were before
 /// \return a fault, and nothing is changed, if this is not a whole file of Bullet's, if its constraints are not those in the world, or
 /// if a joint of it cannot be one

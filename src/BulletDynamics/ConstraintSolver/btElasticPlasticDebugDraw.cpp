@@ -37,7 +37,9 @@ void btElasticPlasticDrawJoint(btIDebugDraw& drawer, const btElasticPlasticJoint
 	const btTransform frameA = joint.getFrameA(), frameB = joint.getFrameB();
 	const btVector3 &a = joint.getConstraint().getRigidBodyA().getCenterOfMassPosition(),
 					&b = joint.getConstraint().getRigidBodyB().getCenterOfMassPosition();
-	const btVector3 colour = btElasticPlasticColour(joint.getUtilisation(), joint.getDamage(), drawing);
+	// One that was broken on purpose has ductility left, and bears as little.
+	const btScalar damage = joint.isBroken() ? btScalar(1) : joint.getDamage();
+	const btVector3 colour = btElasticPlasticColour(joint.getUtilisation(), damage, drawing);
 	// A body's centre may be far away, or that of the fixed world body: a tenth of the nearer one is a size that shows.
 	const btScalar byBodies =
 		btScalar(0.1) * btSqrt(btMin((frameA.getOrigin() - a).length2() + 1, (frameB.getOrigin() - b).length2() + 1));

@@ -26,8 +26,8 @@ struct btElasticPlasticDrawing
 btVector3 btElasticPlasticColour(btScalar utilisation, btScalar damage,
 								 const btElasticPlasticDrawing& drawing = btElasticPlasticDrawing());
 
-/// Draws a joint as lines from its position to its bodies' centres and its axes' cross there, in its colour;
-/// a broken one as two dark marks, where it was on either body.
+/// Draws a joint as lines from its position to the centres of its bodies, but for static ones, and a cross of its axes on body A, in its colour;
+/// a broken one as two crosses, where it was on either body, as dark as what is spent.
 void btElasticPlasticDrawJoint(btIDebugDraw& drawer, const btElasticPlasticJoint& joint,
 							   const btElasticPlasticDrawing& drawing = btElasticPlasticDrawing());
 

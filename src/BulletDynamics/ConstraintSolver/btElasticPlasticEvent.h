@@ -56,7 +56,7 @@ struct alignas(16) btElasticPlasticEvent
 };
 
 /// Derive from it to hear of events; give it to btElasticPlasticAction::addListener.
-/// All methods are called at the end of the action's update, when the substep's bookkeeping is done, or from
+/// The methods for events, onYield() to onRupture(), are called at the end of the action's update, when the substep's bookkeeping is done, or from
 /// btElasticPlasticAction::breakJoint: joints, bodies, constraints and the action may be added, removed and deleted there.
 class btElasticPlasticListener
 {

@@ -13,7 +13,7 @@
 struct btElasticPlasticHeat
 {
 	btScalar m_strength = 1;      ///< over that at 20 degrees, finite, >= 0
-	btScalar m_stiffness = 1;     ///< the same; 0 of both: nothing is left
+	btScalar m_stiffness = 1;     ///< the same; 0 of either: nothing is left
 	btScalar m_tensileShare = 1;  ///< what is left in tension over m_strength, finite, >= 0; only fibres know it
 
 	/// Carbon steel, EN 1993-1-2, table 3.1: effective yield strength, at 2 % of strain, and slope of the elastic range.

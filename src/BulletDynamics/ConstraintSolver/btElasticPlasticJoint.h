@@ -68,8 +68,8 @@ public:
 
 	// ---- readings, all as of the last commit
 
-	/// Force or moment by the law, within the yield value, which for shears may have grown by friction, [N], [N m]: stiffness times elastic deformation, and what the material's damping adds.
-	/// It acts on body A
+	/// Force or moment by the law [N], [N m]: stiffness times elastic deformation, and what the material's damping adds. Within the yield value, but for shears with
+	/// friction or beside fibres, and for axial force and bendings of a joint with fibres, which may harden. It acts on body A
 	/// along the joint's axis and on body B against it: positive axial force is tension. A solver that leaves an error
 	/// leaves elastic deformation that it has applied no force for: see getAppliedForce().
 	btScalar getForce(int dof) const;
@@ -118,11 +118,11 @@ public:
 	/// a step ahead of velocities: what the springs took in the last half of a step is told when bodies have given it.
 	double getElasticEnergy() const;
 
-	/// Dissipated by plastic flow, force times way (m_plasticEnergy of the state) [J]; with such a solver, and until the joint
+	/// Dissipated by plastic flow, force times way (m_plasticEnergy of the state) [J]; with the iterative form and Bullet's own solvers, and until the joint
 	/// first unloads, as far as the bodies have given for it.
 	double getPlasticEnergy() const;
 
-	/// Dissipated by the material's damping, as far as the bodies have given for it, as above [J].
+	/// Dissipated by the material's damping, as far as the bodies have given for it, as plastic energy is [J].
 	double getDampingEnergy() const;
 
 	/// Taken from the bodies by the joint in all, less elastic, plastic and damping energy: what the time integration has dissipated [J].
@@ -134,8 +134,8 @@ public:
 	double getWork() const;
 
 	/// The number of the joint's rows in the last substep, 0 if it had no part in it; and of each row the degree of freedom,
-	/// and the rate at which its deformation grew before and after the substep [m/s], [rad/s]; of a row that there is not, 0. See
-	/// btElasticPlasticStepControl.h.
+	/// and the rate at which its deformation grew before and after the substep [m/s], [rad/s]; of a row that there is not, 0. What a
+	/// step control makes of them is in docs/performance.md.
 	int getNumCommittedRows() const;
 	void getCommittedRow(int r, int& dof, btScalar& rateBefore, btScalar& rateAfter) const;
 
@@ -156,9 +156,9 @@ public:
 	/// A joint that the state makes broken bears nothing from now on, and leaves its world at the end of the next substep, without an
 	/// event; until then its bodies do not collide, if they did not while it held. One that the state makes hold again goes back
 	/// into its world.
-	/// \return false, with a message to the listener, and the joint stays as it is, if a number in it is not finite, a rotation not of unit length, a force
-	/// beyond 64 times the joint's yield value or a fibre's strength, a path, an energy or the step negative, or if the joint is to go back into its world and a body
-	/// of it is in none
+	/// \return false, with a message to the listener, and the joint stays as it is, if a number in it is not finite or beyond 1e37 in float, 1e250 in double, a rotation not
+	/// of unit length, a force beyond 64 times the joint's yield value or a fibre's strength, a path, an energy, the step or a fibre's damage, path or rate negative, the
+	/// level of inner steps above 12, the number of fibres not that of the joint's capacity, or if the joint is to go back into its world and a body of it is in none
 	bool setState(const btElasticPlasticState& state);
 
 	btTypedConstraint& getConstraint();

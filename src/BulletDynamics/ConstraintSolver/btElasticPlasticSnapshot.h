@@ -33,8 +33,8 @@ struct btDbvtBroadphase;
 /// \param action      of the world
 /// \param buffer      where the snapshot goes; null: nowhere
 /// \param capacity    of the buffer [bytes], >= 0. If the snapshot does not fit, what the buffer then holds is no snapshot
-/// \return the snapshot's length [bytes]; 0 if the broadphase is not the world's, holds what is no object of the world or lacks one, if the
-/// snapshot would be longer than 2 GB, or if a listener calls it: it is told of events before all of a step is done, and saves when
+/// \return the snapshot's length [bytes]; 0 if the broadphase is not the world's, holds what is no object of the world or lacks one, if bodies of the
+/// action's broken joints are still parting in another world, if the snapshot would be longer than 2 GB, or if a listener calls it: it is told of events before all of a step is done, and saves when
 /// stepSimulation has returned. So do tick callbacks and other actions of the world, of whose calls nothing is known here: what they save
 /// in the middle of a step goes on with other bits
 int btElasticPlasticSave(btDiscreteDynamicsWorld& world, btDbvtBroadphase& broadphase, btElasticPlasticAction& action,

@@ -20,8 +20,8 @@ enum btElasticPlasticContacts : int
 	BT_EP_CONTACTS_BY_ISLAND,
 	/// With the joints, as exactly as these. The cost grows with the number of contacts, and more than that where many slide.
 	BT_EP_EXACT_CONTACTS,
-	/// As Bullet sweeps them, btContactSolverInfo::m_numIterations times, with a solution of the joints after every second sweep. As
-	/// good as Bullet's contacts are; joints are exact for the contacts' impulses.
+	/// As Bullet sweeps them, btContactSolverInfo::m_numIterations times, with a solution of the joints after every fifth sweep (every
+	/// second one in a structure of up to 30 bodies) and at the end. As good as Bullet's contacts are; joints are exact for the contacts' impulses.
 	BT_EP_SWEPT_CONTACTS
 };
 
@@ -78,8 +78,8 @@ struct btElasticPlasticSolverSettings
 	int m_maxInnerSteps = 256;
 
 	/// The most work for the inner steps of an island in a step, in the unit of btElasticPlasticStatistics::m_work, > 0: a large
-	/// island takes fewer, and none if there is not the work for four, which are 3000 by joint or 1000 by contact point at the least: none of
-	/// more than 500 joints or 1500 points with the default, a quarter of a frame. It is bounded by m_maxWork, too.
+	/// island takes fewer, and none if there is not the work for four, which are 3000 by constraint or 1000 by contact point at the least: none of
+	/// more than 500 constraints or 1500 points with the default, 1.5 ms of a processor of 3 GHz. It is bounded by m_maxWork, too.
 	long long m_maxInnerWork = 1500000;
 
 	/// The factor that a large island kept from the last step is used as long as so few iterations of conjugate gradients with it
