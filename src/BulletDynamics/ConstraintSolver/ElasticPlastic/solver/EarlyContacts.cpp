@@ -109,27 +109,34 @@ struct Way
 	void goBack() const { m_object.setWorldTransform(m_now); }
 };
 
-/// How far a body reaches into the box around another one along that one's own axes, at most, the least of the three [m].
-btScalar depthInBox(const btCollisionShape& shape, const btTransform& place, const btCollisionShape& other,
-					const btTransform& otherPlace, btVector3& most)
+/// How far a body reaches into the box around another one from either side of it along that one's own axes, at most over several places [m].
+struct DepthInBox
 {
-	btVector3 from, to, otherFrom, otherTo;
-	shape.getAabb(otherPlace.inverseTimes(place), from, to);
-	other.getAabb(btTransform::getIdentity(), otherFrom, otherTo);
-	btVector3 depth = to - otherFrom;
-	depth.setMin(otherTo - from);
-	most.setMax(depth);
-	return most[most.minAxis()];
-}
+	btVector3 m_fromBelow = btVector3(-BT_LARGE_FLOAT, -BT_LARGE_FLOAT, -BT_LARGE_FLOAT), m_fromAbove = m_fromBelow;
 
-/// Whether a body is beside the other one's box at the start of their ways as at the end, like a wheel on its road: whatever their
-/// shapes are, they do not go far into each other between.
+	void add(const btCollisionShape& shape, const btTransform& place, const btCollisionShape& box,
+			 const btTransform& boxPlace)
+	{
+		btVector3 from, to, boxFrom, boxTo;
+		shape.getAabb(boxPlace.inverseTimes(place), from, to);
+		box.getAabb(btTransform::getIdentity(), boxFrom, boxTo);
+		m_fromBelow.setMax(to - boxFrom);
+		m_fromAbove.setMax(boxTo - from);
+	}
+
+	/// From that side from which it is the least.
+	btScalar least() const { return btMin(m_fromBelow[m_fromBelow.minAxis()], m_fromAbove[m_fromAbove.minAxis()]); }
+};
+
+/// Whether a body is beside the other one's box at the start of their ways as at the end, and on the same side of it, like a wheel on its road: whatever
+/// their shapes are, they do not go far into each other between.
 bool staysBeside(const Way& way, const Way& other)
 {
 	const btCollisionShape &shape = *way.m_object.getCollisionShape(), &box = *other.m_object.getCollisionShape();
-	btVector3 most(0, 0, 0);
-	depthInBox(shape, way.m_from, box, other.m_from, most);
-	return depthInBox(shape, way.m_to, box, other.m_to, most) < LEAST_WAY;
+	DepthInBox depth;
+	depth.add(shape, way.m_from, box, other.m_from);
+	depth.add(shape, way.m_to, box, other.m_to);
+	return depth.least() < LEAST_WAY;
 }
 
 /// The share of their ways at which two bodies meet; 1: they do not, 0: they touch already.
