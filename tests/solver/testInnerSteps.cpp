@@ -547,6 +547,26 @@ TEST(InnerSteps, WhatIsFastDoesNotPassThroughWhatIsThin)
 	}
 }
 
+TEST(InnerSteps, WhatHasBeenStruckComesBackWithinTheStep)
+{
+	// The free end of a cantilever is faster than the box that has struck it, until its neighbours bring it back. Steps of 1/7680 s leave 154 J of flow; in one of 1/60 s
+	// the contact's normal stays upright while the end turns from under the box, which it holds for longer.
+	const double exact = 154;
+	for (const double above : {1., 1.03, 1.07, 1.1, 1.13})
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		Member::Settings settings = ParkesCantilever::Settings().member;
+		settings.collides = true;
+		Member beam(world, settings, btTransform::getIdentity(), 1);
+		beam.joinStart(world, *world.body(0, world.box(btVector3(1, 1, 1)), at(-0.5), false));
+		btRigidBody& box =
+			*world.body(5, world.box(btVector3(1, 1, 1) * btScalar(0.1)), at(btScalar(0.95), btScalar(above)), true);
+		box.setLinearVelocity(btVector3(0, -10, 0));
+		run(world, 24);
+		EXPECT_NEAR(exact, plasticEnergy(world), 0.25 * exact) << above;
+	}
+}
+
 TEST(InnerSteps, ContactsAreFoundEarlyWhateverElseIsInTheWorld)
 {
 	// Bullet hands all islands over at once. Beside a structure of some dozen joints that is struck there are as many constraints as a large one has, of bodies that are far away.
@@ -718,33 +738,6 @@ TEST(InnerSteps, AnEdgeThatPassesByAFaceIsNoContactAhead)
 	world.step(FRAME);
 	EXPECT_NEAR(-10, double(first.getLinearVelocity().y()), byPrecision(1e-9, 1e-4));
 	EXPECT_NEAR(0, double(first.getLinearVelocity().x()), byPrecision(1e-9, 1e-4));
-}
-
-TEST(InnerSteps, TakePenetrationBackOnce)
-{
-	// A bar of two boxes begins 5 mm deep in a wall, while one of them turns the other by a joint that yields. All of a step's share of the depth is
-	// taken back whether the step has parts or not, and at the price of one more solution: with each of n parts it would be 1 - (1 - erp / n)^n.
-	const btScalar depth = btScalar(0.005);
-	for (const bool hasInner : {false, true})
-	{
-		World world(Solver::Direct, btVector3(0, 0, 0));
-		takeInnerSteps(world, hasInner ? ERROR_ALLOWED : 0);
-		btCollisionShape* const cube = world.box(btVector3(1, 1, 1));
-		world.body(0, cube, at(0));
-		btRigidBody &first = *world.body(100, cube, at(1 - depth)), &second = *world.body(100, cube, at(2 - depth));
-		for (const auto& body : world.bodies())
-			body->setFriction(0);
-		world.joint(first, second, at(btScalar(1.5) - depth), evenCapacity(1e7, 1e4));
-		second.setAngularVelocity(btVector3(20, 0, 0));
-		world.step(FRAME);
-		const btElasticPlasticStatistics statistics = statisticsOf(world);
-		EXPECT_EQ(hasInner, statistics.m_innerSteps > 0);
-		// Contacts of the second solution give by 1 % of what parts one box, here of two.
-		EXPECT_NEAR(double(world.bullet().getSolverInfo().m_erp2 * depth) / 1.02,
-					double(first.getCenterOfMassPosition().x() - (1 - depth)), byPrecision(1e-9, 1e-6))
-			<< hasInner;
-		EXPECT_NEAR(0, double(first.getLinearVelocity().x()), byPrecision(1e-9, 1e-4));
-	}
 }
 
 /// Adds to velocities when it is told to.

@@ -151,17 +151,17 @@ bool isFree(const btSolverBody& body)
 }
 }  // namespace
 
-void DirectForm::begin(bool sweepsContacts, const StepPart& part)
+void DirectForm::begin(bool sweepsContacts, double share)
 {
 	m_sweepsContacts = sweepsContacts;
-	m_part = part;
+	m_share = share;
 	m_input.clear();
 	m_joints.resize(0);
 	m_index.resize(0);
 	m_poolRows.resize(0);
 	m_solverBodies.resize(0);
 	m_byOthers.clear();
-	m_swept.clear(part.m_share);
+	m_swept.clear(btScalar(share));
 	m_recovery.begin();
 }
 
@@ -553,7 +553,7 @@ double DirectForm::takeRecovery(int contact, const SolverPools& pools, const btC
 {
 	btSolverConstraint& row = pools.m_contacts[contact];
 	const bool isOutside = m_index[row.m_solverBodyIdA] < 0 && m_index[row.m_solverBodyIdB] < 0;
-	return double(m_part.m_recovery) * Recovery::take(row, info, isOutside ? SLOW_OF_LOOSE : 0);
+	return Recovery::take(row, info, isOutside ? SLOW_OF_LOOSE : 0);
 }
 
 void DirectForm::addRecovery(int contact, double speed, const SolverPools& pools)
@@ -595,7 +595,7 @@ void DirectForm::addFriction(btConstraintArray& rows, bool isRolling, const Solv
 		row.m_friction = rows[i].m_friction;
 		row.m_normal = m_singleRowOf[contact];
 		// Bullet bounds rolling friction by its coefficient too.
-		row.m_frictionMax = isRolling ? double(rows[i].m_friction) * double(m_part.m_share) : 0;
+		row.m_frictionMax = isRolling ? double(rows[i].m_friction) * m_share : 0;
 		if (isRolling)
 			continue;
 		// The last step's impulse in this direction: the first of a contact's rows, or the second.

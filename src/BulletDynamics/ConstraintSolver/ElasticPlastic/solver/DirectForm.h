@@ -8,7 +8,6 @@
 #include "Jacobian.h"
 #include "Recovery.h"
 #include "SolverPools.h"
-#include "StepPart.h"
 #include "Structures.h"
 #include "SweptRows.h"
 #include "System.h"
@@ -32,8 +31,8 @@ public:
 
 	/// Begins an island.
 	/// \param sweepsContacts  whether contacts are swept around the joints
-	/// \param part            that is to be solved; Bullet bounds some impulses by the step
-	void begin(bool sweepsContacts, const StepPart& part);
+	/// \param share           of the world's step that is to be solved; Bullet bounds some impulses by the step
+	void begin(bool sweepsContacts, double share);
 
 	/// Makes room for so many joints.
 	void reserve(int numJoints) { m_input.reserve(size_t(numJoints)); }
@@ -115,7 +114,7 @@ private:
 	};
 	btAlignedObjectArray<PoolRow> m_poolRows;
 	btAlignedObjectArray<int> m_singleRowOf;  ///< single row of each of Bullet's contacts, -1: it is swept
-	StepPart m_part = StepPart::whole();
+	double m_share = 1;                       ///< of the world's step
 	// Where contacts are swept.
 	bool m_sweepsContacts = false;
 	SweptRows m_swept;

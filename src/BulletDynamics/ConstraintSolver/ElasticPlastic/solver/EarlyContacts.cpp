@@ -30,6 +30,8 @@ const btScalar LEAST_WAY = btScalar(0.005);
 const btScalar TOUCH = btScalar(0.001);
 /// How far bodies are moved beyond where they meet, so that detectors that know penetration only find all of a face's points [m].
 const btScalar INTO = btScalar(0.003);
+/// Bodies that are no further apart than this may have touched in the step before [m].
+const btScalar JUST_PARTED = btScalar(0.01);
 /// The cosine of what normals of the same face differ by, at most.
 const btScalar SAME_FACE = btScalar(0.9);
 /// Where an island has more constraints than this, contacts are taken as Bullet finds them: those found early are solved exactly, and a large
@@ -98,6 +100,14 @@ struct Way
 		// A kinematic body is already where it goes.
 		const bool isThere = m_object.isKinematicObject();
 		btTransformUtil::integrateTransform(m_now, m_velocity, m_spin, isThere ? -m_dt : m_dt, isThere ? m_from : m_to);
+	}
+
+	/// Has it stay where it is instead.
+	void stay()
+	{
+		m_velocity.setZero();
+		m_spin.setZero();
+		m_from = m_to = m_now;
 	}
 
 	/// Puts the body to a share of its way.
@@ -239,35 +249,23 @@ void addRestOfFace(const Way ways[2], btPersistentManifold& manifold, btDispatch
 	}
 }
 
-void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& dispatcher)
+/// Finds the points at which two bodies meet on their ways. \return whether they do
+bool findMeeting(const Way ways[2], btScalar length, btPersistentManifold& manifold, btDispatcher& dispatcher)
 {
-	Way ways[2] = {Way(*manifold.getBody0(), dt), Way(*manifold.getBody1(), dt)};
-	const btScalar length =
-		(ways[1].m_velocity - ways[0].m_velocity).length() * dt + ways[0].getTurnLength() + ways[1].getTurnLength();
-	// A share of a way without end is no place.
-	if (!(length > LEAST_WAY) || !btElasticPlasticIsFinite(length))
-		return;
-	for (Way& way : ways)
-		way.findEnds();
-	if (manifold.getNumContacts() > 0)
-	{
-		addRestOfFace(ways, manifold, dispatcher);
-		return;
-	}
 	if (staysBeside(ways[0], ways[1]) || staysBeside(ways[1], ways[0]))
-		return;
+		return false;
 	const btScalar share = shareAtMeeting(ways);
 	if (!(share < 1))
-		return;
+		return false;
 	// Further where the bodies move along each other rather than into each other.
 	for (btScalar into = INTO / length; manifold.getNumContacts() == 0 && share + into < 1 + INTO / length; into *= 4)
 	{
-		for (const Way& way : ways)
-			way.go(share + into);
+		for (int side = 0; side < 2; ++side)
+			ways[side].go(share + into);
 		detect(ways, manifold, dispatcher);
 	}
-	for (const Way& way : ways)
-		way.goBack();
+	for (int side = 0; side < 2; ++side)
+		ways[side].goBack();
 	// What touches as the step begins has no points yet where its detector knows penetration only.
 	const btScalar least = share > 0 ? btScalar(0) : -TOUCH;
 	bool isAhead = true;
@@ -279,6 +277,51 @@ void findContact(btPersistentManifold& manifold, btScalar dt, btDispatcher& disp
 	}
 	// Bodies that do not touch yet, but lie in each other along the normal, do not come together that way: an edge passes by a face.
 	if (!isAhead)
+		manifold.clearManifold();
+	return manifold.getNumContacts() > 0;
+}
+
+/// By the boxes around them, now.
+bool areNear(const Way ways[2])
+{
+	btVector3 from[2], to[2];
+	for (int side = 0; side < 2; ++side)
+		ways[side].m_object.getCollisionShape()->getAabb(ways[side].m_now, from[side], to[side]);
+	const btVector3 gap = from[0] - to[1], other = from[1] - to[0];
+	return gap[gap.maxAxis()] < JUST_PARTED && other[other.maxAxis()] < JUST_PARTED;
+}
+
+/// \param held  which of the two its joints hold back while the other one is loose, -1: neither
+void findContact(btPersistentManifold& manifold, btScalar dt, int held, btDispatcher& dispatcher)
+{
+	Way ways[2] = {Way(*manifold.getBody0(), dt), Way(*manifold.getBody1(), dt)};
+	const auto lengthOfWays = [&] {
+		return (ways[1].m_velocity - ways[0].m_velocity).length() * dt + ways[0].getTurnLength() +
+			   ways[1].getTurnLength();
+	};
+	// A share of a way without end is no place.
+	const auto isWay = [](btScalar length) { return length > LEAST_WAY && btElasticPlasticIsFinite(length); };
+	btScalar length = lengthOfWays();
+	if (!isWay(length))
+		return;
+	for (Way& way : ways)
+		way.findEnds();
+	if (manifold.getNumContacts() > 0)
+	{
+		addRestOfFace(ways, manifold, dispatcher);
+		return;
+	}
+	if (findMeeting(ways, length, manifold, dispatcher) || held < 0 || !areNear(ways))
+		return;
+	// What has been struck is faster than what has struck it, and its joints bring it back within the step.
+	ways[held].stay();
+	length = lengthOfWays();
+	if (!isWay(length) || !findMeeting(ways, length, manifold, dispatcher))
+		return;
+	btScalar nearest = manifold.getContactPoint(0).m_distance1;
+	for (int i = 1; i < manifold.getNumContacts(); ++i)
+		btSetMin(nearest, manifold.getContactPoint(i).m_distance1);
+	if (nearest > JUST_PARTED)
 		manifold.clearManifold();
 }
 }  // namespace
@@ -294,8 +337,9 @@ bool EarlyContacts::find(SolverGroup& group, Islands& islands, btScalar dt,
 	{
 		if (!isCandidate(*manifold, islands, settings))
 			continue;
-		const bool wasEmpty = manifold->getNumContacts() == 0;
-		findContact(*manifold, dt, dispatcher);
+		const bool wasEmpty = manifold->getNumContacts() == 0,
+				   areJoined[2] = {islands.isJoined(*manifold->getBody0()), islands.isJoined(*manifold->getBody1())};
+		findContact(*manifold, dt, areJoined[0] == areJoined[1] ? -1 : areJoined[0] ? 0 : 1, dispatcher);
 		doMeet |= wasEmpty && manifold->getNumContacts() > 0;
 	}
 	return doMeet;

@@ -248,7 +248,7 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	const bool mayTake = hasRoom && registry && !registry->isStepControlled();
 	if (!registry || (!mayTake && !hasRope(island)))
 	{
-		solution.solveStep(info, StepPart::whole(), settings.m_maxWork);
+		solution.solveStep(info, 1, settings.m_maxWork);
 		return;
 	}
 	if (!mayTake)
@@ -320,7 +320,7 @@ int InnerSteps::beginLevel(Task& task)
 InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 {
 	++task.m_numSolutions;
-	task.m_solution.solveStep(task.m_info, StepPart::whole(), task.m_settings.m_maxWork);
+	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
 	const double dt = task.m_info.m_timeStep;
 	Attempt attempt = {};
 	const OpenShare left = measure(task.m_island, dt, dt, attempt.m_flows, &attempt.m_isTaut);
@@ -388,7 +388,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		const btScalar h = dt / btScalar(1 << run.m_level);
 		left -= parts;
 		m_state.carry(dt * btScalar(all - left) / btScalar(all), h, task.m_info.m_restitutionVelocityThreshold);
-		solveInnerStep(task, h, ahead, steps == 0);
+		solveInnerStep(task, h, ahead);
 		judge(task, h, run, attempt);
 		btSetMax(open, attempt.m_open);
 		btSetMax(doubted, attempt.m_doubted);
@@ -456,7 +456,7 @@ void InnerSteps::setInnerLength(Task& task, btScalar before, int level)
 }
 
 /// \param ahead  how many such steps are left, with it
-void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead, bool isFirst)
+void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead)
 {
 	const btScalar share = h / task.m_info.m_timeStep;
 	btContactSolverInfo info = task.m_info;
@@ -466,8 +466,7 @@ void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead, bool isFirst)
 	++task.m_numSolutions;
 	++task.m_statistics.m_innerSteps;
 	const bool isBounded = task.m_settings.m_maxWork > 0;
-	task.m_solution.solveStep(info, isFirst ? StepPart::first(share) : StepPart::later(share),
-							  isBounded ? btMax(task.getWorkLeft() / ahead, 1ll) : 0);
+	task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / ahead, 1ll) : 0);
 }
 
 void InnerSteps::Run::add(const OpenShare& share, double error)

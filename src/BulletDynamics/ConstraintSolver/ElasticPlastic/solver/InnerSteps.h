@@ -8,7 +8,6 @@
 #include "../../btElasticPlasticStatistics.h"
 #include "../joint/OpenShare.h"
 #include "IslandState.h"
-#include "StepPart.h"
 #include "StepParameters.h"
 
 struct btContactSolverInfo;
@@ -32,8 +31,9 @@ public:
 	class Solution
 	{
 	public:
+		/// \param share    of the world's step
 		/// \param maxWork  of this solution, as btElasticPlasticSolverSettings::m_maxWork
-		virtual void solveStep(const btContactSolverInfo& info, const StepPart& part, long long maxWork) = 0;
+		virtual void solveStep(const btContactSolverInfo& info, btScalar share, long long maxWork) = 0;
 
 	protected:
 		~Solution() {}
@@ -111,7 +111,7 @@ private:
 	Attempt solveWhole(Task& task);
 	Attempt solveInner(Task& task, int level);
 	void setInnerLength(Task& task, btScalar before, int level);
-	static void solveInnerStep(Task& task, btScalar h, int ahead, bool isFirst);
+	static void solveInnerStep(Task& task, btScalar h, int ahead);
 	void judge(const Task& task, btScalar h, Run& run, Attempt& attempt) const;
 	bool mayBeLonger(const Task& task, const Run& run, btScalar longer);
 	bool hasWorkForAnother(const Task& task) const;
