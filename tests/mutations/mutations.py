@@ -88,6 +88,7 @@ MUTATIONS = [
     Mutation("open work", "OpenShare.cpp", "m_openWork += yield * length * change", "m_openWork += yield * length * change / 4",
              "*StepControl*:*OpenShare*:*InnerSteps*"),
     Mutation("a stop's steps one by one", "OpenShare.cpp", "MOST_STEPS_TO_REST = 25", "MOST_STEPS_TO_REST = 2", "InnerSteps.LetA*"),
+    Mutation("what is struck goes its straight way", "EarlyContacts.cpp", "ways[held].stay();", ";", "InnerSteps.WhatHas*"),
     Mutation("bending is damped as the axial spring", "FibreStep.cpp", "if (motion.m_isInner && !m_model.anyBearsPressureOnly())", "if (false)", "InnerSteps.BendWhat*"),
     Mutation("what opens is damped as bending", "FibreStep.cpp", "if (motion.m_isInner && !m_model.anyBearsPressureOnly())", "if (motion.m_isInner)",
              "Energy.OfFibres*"),

@@ -113,6 +113,23 @@ struct Drop
 	}
 };
 
+/// Builds Parkes' cantilever of parts that collide, at a height. \return its tip
+btRigidBody& addCantilever(World& world, double y = 0)
+{
+	Member::Settings settings = ParkesCantilever::Settings().member;
+	settings.collides = true;
+	Member beam(world, settings, at(0, y), 1);
+	beam.joinStart(world, *world.body(0, world.box(btVector3(1, 1, 1)), at(-0.5, y), false));
+	return beam.last();
+}
+
+/// Throws a box of 0.1 m and 5 kg up or down at the free end of that.
+void throwAtEnd(World& world, double y, double speed)
+{
+	btRigidBody& box = *world.body(5, world.box(btVector3(1, 1, 1) * btScalar(0.1)), at(0.95, y), true);
+	box.setLinearVelocity(btVector3(0, btScalar(speed), 0));
+}
+
 /// The greatest depth of a contact in a run [m].
 double deepestContact(World& world, int steps)
 {
@@ -519,22 +536,16 @@ TEST(InnerSteps, ContactsAreFoundBeforeBodiesTouch)
 TEST(InnerSteps, WhatIsFastDoesNotPassThroughWhatIsThin)
 {
 	// At 10 and 40 m/s a box of 0.1 m goes 0.17 and 0.67 m in a step, and is on the other side of a beam of 20 mm and of a wall of 10 mm then.
-	btCollisionShape* shape;
 	for (const double speed : {10., -10., 40., -40.})
 	{
 		World struck(Solver::Direct, btVector3(0, 0, 0));
-		Member::Settings settings = ParkesCantilever::Settings().member;
-		settings.collides = true;
-		Member beam(struck, settings, btTransform::getIdentity(), 1);
-		beam.joinStart(struck, *struck.body(0, struck.box(btVector3(1, 1, 1)), at(-0.5), false));
-		shape = struck.box(btVector3(1, 1, 1) * btScalar(0.1));
-		btRigidBody& box = *struck.body(5, shape, at(btScalar(0.95), btScalar(speed > 0 ? -0.065 : 0.065)), true);
-		box.setLinearVelocity(btVector3(0, btScalar(speed), 0));
+		const btRigidBody& tip = addCantilever(struck);
+		throwAtEnd(struck, speed > 0 ? -0.065 : 0.065, speed);
 		struck.step(FRAME);
-		EXPECT_GT(double(beam.last().getLinearVelocity().y()) * (speed > 0 ? 1 : -1), 1) << speed;
+		EXPECT_GT(double(tip.getLinearVelocity().y()) * (speed > 0 ? 1 : -1), 1) << speed;
 
 		World stopped(Solver::Direct, btVector3(0, 0, 0));
-		shape = stopped.box(btVector3(1, 1, 1) * btScalar(0.1));
+		btCollisionShape* const shape = stopped.box(btVector3(1, 1, 1) * btScalar(0.1));
 		stopped.body(0, stopped.box(btVector3(btScalar(0.01), 1, 1)), at(0), true);
 		const btScalar side = speed > 0 ? btScalar(-1) : btScalar(1);
 		btRigidBody &first = *stopped.body(5, shape, at(side * btScalar(0.06)), true),
@@ -555,13 +566,8 @@ TEST(InnerSteps, WhatHasBeenStruckComesBackWithinTheStep)
 	for (const double above : {1., 1.03, 1.07, 1.1, 1.13})
 	{
 		World world(Solver::Direct, btVector3(0, 0, 0));
-		Member::Settings settings = ParkesCantilever::Settings().member;
-		settings.collides = true;
-		Member beam(world, settings, btTransform::getIdentity(), 1);
-		beam.joinStart(world, *world.body(0, world.box(btVector3(1, 1, 1)), at(-0.5), false));
-		btRigidBody& box =
-			*world.body(5, world.box(btVector3(1, 1, 1) * btScalar(0.1)), at(btScalar(0.95), btScalar(above)), true);
-		box.setLinearVelocity(btVector3(0, -10, 0));
+		addCantilever(world);
+		throwAtEnd(world, above, -10);
 		run(world, 24);
 		EXPECT_NEAR(exact, plasticEnergy(world), 0.25 * exact) << above;
 	}
@@ -790,12 +796,9 @@ TEST(InnerSteps, AnActionThatIsInNoWorldIsFoundOut)
 /// \return the tip of a beam that is struck there
 btRigidBody& strikeBeam(World& world, double y)
 {
-	Member::Settings settings = ParkesCantilever::Settings().member;
-	settings.collides = true;
-	Member beam(world, settings, at(0, y), 1);
-	beam.joinStart(world, *world.body(0, world.box(btVector3(1, 1, 1)), at(-0.5, y), false));
-	beam.last().setLinearVelocity(btVector3(0, -20, 0));
-	return beam.last();
+	btRigidBody& tip = addCantilever(world, y);
+	tip.setLinearVelocity(btVector3(0, -20, 0));
+	return tip;
 }
 
 /// Puts a block around a body, and breaks what joins the two.

@@ -19,6 +19,8 @@ namespace btElasticPlastic
 /// Bullet's collision detection is asked for the contact points where they do, and the points are moved back to where the bodies are
 /// now: contacts with a gap, which the solver lets close.
 ///
+/// Of a loose body that has just parted from a joined one, the way is looked at as if that stayed, too: its joints may bring it back within the step.
+///
 /// Bullet's broadphase has the pair already, as it looks as far ahead, and with it an empty manifold.
 class EarlyContacts
 {
