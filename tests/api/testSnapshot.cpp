@@ -377,11 +377,12 @@ TEST(Snapshot, ShowsBodiesWhereTheyWere)
 					EXPECT_TRUE(expected == actual) << "body " << b;
 					continue;
 				}
-				// The last that it has told in the step in which it fell asleep was between two of the world's steps.
+				// The last that it has told in the step in which it fell asleep was between two of the world's steps. What rings has moved by another velocity in
+				// its inner steps than it has at their end.
 				++numAsleep;
-				EXPECT_LE(
-					(expected.getOrigin() - actual.getOrigin()).length(),
-					body.getInterpolationLinearVelocity().length() * ShownCollapse::FIXED + byPrecision(1e-14, 1e-6))
+				EXPECT_LE((expected.getOrigin() - actual.getOrigin()).length(),
+						  2 * body.getInterpolationLinearVelocity().length() * ShownCollapse::FIXED +
+							  byPrecision(1e-14, 1e-6))
 					<< "body " << b;
 			}
 			EXPECT_EQ(hash(scene.m_world), hash(other.m_world));

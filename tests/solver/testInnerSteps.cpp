@@ -509,10 +509,12 @@ TEST(InnerSteps, AStructureThatFallsFallsAsFarAsItShould)
 
 TEST(InnerSteps, ABoxThatBouncesDoesItsDamage)
 {
-	// At 1/60 s alone it leaves no plastic work at all. Against steps of the world as short as the inner ones may be, from before it lands until it is on
-	// its way up; half as short ones leave 3 % more, steps of 1/3840 s 12 % less.
+	// At 1/60 s alone it leaves no plastic work at all. Against steps of the world as short as the inner ones may be, by mode, from before it lands until it
+	// is on its way up: 2784 J. Its many small bounces want far shorter ones: an eighth of them leaves 3132 J, by row as well, which with 1/15360 s leaves 2620 J.
 	Drop fine(2, 0.5), inner(2, 0.5);
 	takeInnerSteps(inner.m_world);
+	for (btElasticPlasticJoint* joint : fine.m_world.joints())
+		joint->setScheme(BT_EP_SCHEME_BY_MODE);
 	run(fine.m_world, 36 * 16, FRAME / 16);
 	run(fine.m_world, 12 * MOST_STEPS, FRAME / MOST_STEPS);
 	EnergyAudit audit(inner.m_world);
@@ -521,6 +523,51 @@ TEST(InnerSteps, ABoxThatBouncesDoesItsDamage)
 	expectClose(plasticEnergy(fine.m_world), plasticEnergy(inner.m_world), 0.05);
 	// Of the fall's 6 kJ; contacts may make a ten-thousandth.
 	EXPECT_LT(audit.created(), 1e-3);
+}
+
+/// A cantilever of damped steel under its weight, in twelve parts, the last of which is struck down with so many times what the cantilever stores until its root
+/// yields.
+struct LightBlow
+{
+	World m_world{Solver::Direct};
+
+	LightBlow(double length, double height, double times)
+	{
+		Member::Settings settings;
+		settings.material = btElasticPlasticMaterial::steel(btScalar(250e6));
+		settings.width = settings.height = btScalar(height);
+		settings.parts = 12;
+		Member member(m_world, settings, btTransform::getIdentity(), btScalar(length));
+		member.joinStart(m_world, *m_world.body(0, m_world.box(btVector3(1, 1, 1)), at(-0.5), false));
+		double stored = 0;
+		for (const btElasticPlasticJoint* joint : m_world.joints())
+		{
+			const btElasticPlasticCapacity& capacity = joint->getCapacity();
+			// The moments of a force at the end fall evenly, their squares have a third of the root's in the mean.
+			stored += 0.5 / 3 * std::pow(double(capacity.m_yield[BT_EP_BENDING_Z]), 2) /
+					  double(capacity.m_stiffness[BT_EP_BENDING_Z]);
+		}
+		const double speed = std::sqrt(2 * times * stored * double(member.last().getInvMass()));
+		member.last().setLinearVelocity(btVector3(0, btScalar(-speed), 0));
+	}
+};
+
+TEST(InnerSteps, LightBlowsOnSlenderBeamsDoTheirDamage)
+{
+	// What they leave ringing bends the root some periods later, if it is not damped before: by row, up to 29 % of the work was missing. Against steps of 1/15360 s by mode.
+	for (const double length : {1., 2., 3.})
+		for (const double times : {1.5, 3.})
+		{
+			const double height = length > 1 ? length / 40 : 0.01;
+			LightBlow fine(length, height, times), inner(length, height, times);
+			takeInnerSteps(fine.m_world, 0);
+			for (btElasticPlasticJoint* joint : fine.m_world.joints())
+				joint->setScheme(BT_EP_SCHEME_BY_MODE);
+			run(fine.m_world, 30 * MOST_STEPS, FRAME / btScalar(MOST_STEPS));
+			run(inner.m_world, 30);
+			SCOPED_TRACE(std::to_string(length) + " m, " + std::to_string(times) + " times");
+			expectClose(plasticEnergy(fine.m_world), plasticEnergy(inner.m_world), ERROR_FOUND);
+		}
 }
 
 TEST(InnerSteps, ContactsAreFoundBeforeBodiesTouch)
@@ -1018,17 +1065,26 @@ struct FreeRow
 		return sum;
 	}
 
-	/// \return the most in a second, of what there is at the beginning
-	double largestGain(btScalar step)
+	/// What a second has brought, in shares of what there is at its beginning.
+	struct Gain
+	{
+		double m_most = 0, m_mostOfAStep = 0;
+	};
+
+	Gain gain(btScalar step)
 	{
 		const double first = energy();
-		double most = 0;
+		Gain gain;
+		double before = first;
 		for (int i = 0; i < int(1 / step); ++i)
 		{
 			m_world.step(step);
-			most = std::max(most, energy() / first - 1);
+			const double now = energy();
+			gain.m_most = std::max(gain.m_most, now / first - 1);
+			gain.m_mostOfAStep = std::max(gain.m_mostOfAStep, (now - before) / first);
+			before = now;
 		}
-		return most;
+		return gain;
 	}
 };
 
@@ -1122,7 +1178,7 @@ TEST(InnerSteps, DoNotHurryConstraintsThatReduceErrorsThemselves)
 				}
 				row.m_bodies[2]->setAngularVelocity(btVector3(0, 0, btScalar(spin)));
 				row.m_bodies[2]->setLinearVelocity(btVector3(0, btScalar(spin / 2), 0));
-				EXPECT_LT(row.largestGain(FRAME), 1e-3)
+				EXPECT_LT(row.gain(FRAME).m_most, 1e-3)
 					<< "limit " << limit << ", spin " << spin << (isOurs ? ", ours" : "");
 				innerSteps += statisticsOf(row.m_world).m_innerSteps;
 				if (cone)
@@ -1166,7 +1222,10 @@ TEST(InnerSteps, DoNotHurryContactsThatReduceErrorsThemselves)
 							btVector3(btScalar(0.8 + 0.01 * i), 1, 0)));
 			striker.setInterpolationWorldTransform(striker.getWorldTransform());
 			striker.setLinearVelocity(btVector3(0, btScalar(-1 - 0.7 * i), 0));
-			EXPECT_LT(row.largestGain(FRAME), 1e-3) << i << (isSpring ? ", stiffness" : "");
+			const FreeRow::Gain gain = row.gain(FRAME);
+			EXPECT_LT(gain.m_most, 1e-3) << i << (isSpring ? ", stiffness" : "");
+			// A spring gives back what it has taken. What a swing is told to have sways by a per cent, also without contacts; recovery that strains the joint gave 35 %.
+			EXPECT_LT(isSpring ? 0 : gain.m_mostOfAStep, 1e-2) << i;
 		}
 	gContactAddedCallback = before;
 }

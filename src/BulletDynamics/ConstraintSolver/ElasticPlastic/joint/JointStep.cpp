@@ -164,11 +164,10 @@ void JointStep::withholdDrift()
 		m_withheldStep = 0;
 }
 
-bool JointStep::carriesWaves(int r, btScalar diagonal) const
+bool JointStep::carriesWaves(int r) const
 {
-	const int dof = m_row[r].m_dof;
-	return !m_usesFibres && !m_model.m_isPaper && !m_model.m_isByMode && !m_model.m_capacity.isRigidPlastic(dof) &&
-		   m_model.m_capacity.m_stiffness[dof] * m_dt * m_dt * diagonal > 1;
+	return !m_usesFibres && !m_model.m_isPaper && !m_model.m_isByMode &&
+		   !m_model.m_capacity.isRigidPlastic(m_row[r].m_dof);
 }
 
 DofState JointStep::dofState(int r) const
@@ -361,7 +360,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		row.m_dof = m_row[r].m_dof;
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
 		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
-		m_row[r].m_isOfWaves = share <= SHARE_OF_A_BLOW && carriesWaves(r, row.m_diagonal);
+		m_row[r].m_isOfWaves = share <= SHARE_OF_A_BLOW && carriesWaves(r);
 		row.m_bound = m_lastBound[row.m_dof];
 		row.m_partner = -1;
 		row.m_coupling = 0;

@@ -35,8 +35,8 @@ public:
 
 	/// All that a solver needs: evaluate(), and the rows with their own diagonals.
 	/// \param erp    Bullet's error reduction, for rigid-plastic rows
-	/// \param share  of the world's step: 1, or less of an inner one. In short ones, as a blow takes them, rows that they do not resolve are
-	///               damped by mode: by row, the waves of the blow would go with them, and the damage that these do.
+	/// \param share  of the world's step: 1, or less of an inner one. In short ones, as a blow takes them, elastic rows are damped by mode: by row, the
+	///               waves of the blow would go with those that hardly resolve them, and the damage that these do.
 	bool begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows);
 
 	/// For a solver that makes rows one by one, after evaluate() and before makeRow(): makes the fibres of a joint that uses them, without
@@ -229,7 +229,7 @@ private:
 	Drift driftOf(const btScalar spin[2], btScalar dt) const;
 	void withholdDrift();
 	const btScalar* lastForce() const;
-	bool carriesWaves(int r, btScalar diagonal) const;
+	bool carriesWaves(int r) const;
 	bool areAlike() const;
 	void makeRows(btScalar erp, JointRows& rows);
 	void makeRowsAlike(btScalar erp, JointRows& rows);

@@ -87,8 +87,8 @@ inline btScalar clampedForce(const DofState& s) { return s.withinYield(s.m_stiff
 /// With tau = 1 a swing of 50 steps has a damping ratio of 2e-5, one of 12 steps 0.5 %, of 3 steps 16 %; what has a tenth of a step a period
 /// keeps an eighth of itself from step to step. tau = 0 is backward Euler.
 ///
-/// In the many short steps of a blow (JointStep::begin()) rows that these do not resolve are by mode, all others by row. Either kind takes
-/// energy from any oscillation of an even step, so that no mix of elastic rows gains any. Such a row yields by its mean force alone, eta = 0.
+/// In the many short steps of a blow (JointStep::begin()) elastic rows are by mode, those of fibres by row. Either kind takes energy from any
+/// oscillation of an even step, so that no mix of elastic rows gains any. Such a row yields by its mean force alone, eta = 0.
 ///
 /// Steps that change in phase with an oscillation would feed energy into it; therefore a changed step dissipates, by either.
 struct MeanForce

@@ -10,6 +10,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/ConstraintSolver/btSolverConstraint.h"
+#include "ContactFactors.h"
 #include "Jacobian.h"
 
 namespace btElasticPlastic
@@ -48,21 +49,22 @@ double findResponse(const SystemInput& input, const SystemInput::Unit& unit, int
 	return response;
 }
 
-/// A contact that a user has given a stiffness or an error reduction of its own.
-bool hasItsOwn(const btManifoldPoint& point)
+/// A contact that a user has given a stiffness is a spring: its depth is not to be taken back.
+bool isSpring(const btManifoldPoint& point)
 {
-	return (point.m_contactPointFlags & (BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_HAS_CONTACT_ERP |
-										 BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING)) != 0;
+	return (point.m_contactPointFlags &
+			(BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING)) != 0;
 }
 }  // namespace
 
 double Recovery::take(btSolverConstraint& contact, const btContactSolverInfo& info, double slowest)
 {
 	const btManifoldPoint* const point = static_cast<const btManifoldPoint*>(contact.m_originalContactPoint);
-	if (!point || hasItsOwn(*point) || !(contact.m_jacDiagABInv > 0))
+	if (!point || isSpring(*point) || !(contact.m_jacDiagABInv > 0))
 		return 0;
 	const double gap = double(point->getDistance()) + double(info.m_linearSlop);
-	const double speed = -gap * double(info.m_erp2) / double(info.m_timeStep);
+	const btScalar factor = hasOwnFactor(*point) ? point->m_contactERP : info.m_erp2;
+	const double speed = -gap * double(factor) / double(info.m_timeStep);
 	if (!(speed > slowest))
 		return 0;
 	const bool isSplit = info.m_splitImpulse && !(gap > double(info.m_splitImpulsePenetrationThreshold));

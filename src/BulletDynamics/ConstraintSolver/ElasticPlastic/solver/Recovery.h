@@ -26,7 +26,8 @@ namespace btElasticPlastic
 class Recovery
 {
 public:
-	/// Takes Bullet's own push back from a contact in its pool, unless the user has given the contact a stiffness or an error reduction.
+	/// Takes Bullet's own push back from a contact in its pool, unless the user has given the contact a stiffness. One with a factor of error
+	/// reduction of its own is recovered by that.
 	/// \param slowest  recovery below this speed stays Bullet's [m/s]
 	/// \return the speed at which recovery is to part the bodies [m/s]; 0: not at all
 	static double take(btSolverConstraint& contact, const btContactSolverInfo& info, double slowest);
