@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
+#include <utility>
 #include <vector>
 
 #include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/JointWorks.h"
@@ -512,70 +512,112 @@ TEST(JointStep, ChangingStepsDoNotLengthenWhatTurns)
 	}
 }
 
-/// A stretched spring comes from a step of some length [s] into one of so many short ones.
-void expectBackwardEulerFirst(double stiffness, int steps, double last)
+/// A stretched spring that is to move on, in one of many short steps or of a few.
+struct StretchedSpring
 {
-	const double force = 1e4, speed = 0.01;
-	const btScalar dt = btScalar(1) / 1920;
-	Pair pair(Solver::Direct, 12, 12);
-	btElasticPlasticJoint* joint = pair.join(evenCapacity(stiffness, 1e6));
-	run(pair.m_world, 1);
-	btElasticPlasticState state = joint->getState();
-	state.m_lastStep = btScalar(last);
-	state.m_force[BT_EP_AXIAL] = btScalar(force);
-	state.m_applied[BT_EP_AXIAL] = btScalar(0.6 * force);
-	state.m_appliedBefore[BT_EP_AXIAL] = btScalar(0.4 * force);
-	ASSERT_TRUE(joint->setState(state));
-	pair.m_b->setWorldTransform(at(1 + force / stiffness));
-	pair.m_b->setLinearVelocity(btVector3(btScalar(speed), 0, 0));
-	btElasticPlastic::JointStep& step = btElasticPlastic::JointWorks::from(&joint->getConstraint())->m_step;
-	btElasticPlastic::JointRows rows;
-	ASSERT_EQ(6, step.prepare());
-	ASSERT_TRUE(step.begin(dt, btScalar(0.2), btScalar(1) / btScalar(steps), rows));
-	int r = 0;
-	while (rows.m_row[r].m_dof != BT_EP_AXIAL)
-		++r;
-	const btElasticPlastic::SoftRow& row = rows.m_row[r].m_soft;
-	const bool isEven = last < 0.01;
-	const double alpha = 1 / (double(row.m_compliance) * stiffness * double(dt) * double(dt)),
-				 applied = (double(row.m_velocity) + speed) / double(row.m_compliance) / double(dt),
-				 change = stiffness * double(dt) * speed;
-	if (steps > 16)
+	static constexpr double FORCE = 1e4, SPEED = 0.01;
+	static constexpr btScalar STEP = btScalar(1) / 1920;
+
+	Pair m_pair{Solver::Direct, 12, 12};
+	double m_stiffness;
+	btElasticPlasticJoint* m_joint;
+	btElasticPlastic::JointStep* m_step;
+	btElasticPlastic::JointRows m_rows;
+	int m_axial = 0;
+
+	/// \param before  force and mean forces of the two last steps, over FORCE
+	StretchedSpring(double stiffness, double last, const double (&before)[3]) : m_stiffness(stiffness)
 	{
-		// Where velocities stay.
-		EXPECT_NEAR(isEven ? 0.4 : 1, alpha, 1e-4);
-		EXPECT_NEAR(isEven ? 0.4 * (force + change) + (0.8 * 0.6 - 0.2 * 0.4) * force : force + change, applied,
-					0.01 * force);
+		m_joint = m_pair.join(evenCapacity(stiffness, 1e6));
+		run(m_pair.m_world, 1);
+		btElasticPlasticState state = m_joint->getState();
+		state.m_lastStep = btScalar(last);
+		state.m_force[BT_EP_AXIAL] = btScalar(before[0] * FORCE);
+		state.m_applied[BT_EP_AXIAL] = btScalar(before[1] * FORCE);
+		state.m_appliedBefore[BT_EP_AXIAL] = btScalar(before[2] * FORCE);
+		EXPECT_TRUE(m_joint->setState(state));
+		m_pair.m_b->setWorldTransform(at(1 + before[0] * FORCE / stiffness));
+		m_pair.m_b->setLinearVelocity(btVector3(btScalar(SPEED), 0, 0));
+		m_step = &btElasticPlastic::JointWorks::from(&m_joint->getConstraint())->m_step;
+	}
+
+	void begin(int steps)
+	{
+		ASSERT_EQ(6, m_step->prepare());
+		ASSERT_TRUE(m_step->begin(STEP, btScalar(0.2), btScalar(1) / btScalar(steps), m_rows));
+		while (m_rows.m_row[m_axial].m_dof != BT_EP_AXIAL)
+			++m_axial;
+	}
+	const btElasticPlastic::SoftRow& row() const { return m_rows.m_row[m_axial].m_soft; }
+	double alpha() const { return 1 / (double(row().m_compliance) * m_stiffness * double(STEP) * double(STEP)); }
+	/// The mean force over the step if velocities stay.
+	double applied() const { return (double(row().m_velocity) + SPEED) / double(row().m_compliance) / double(STEP); }
+	double change() const { return m_stiffness * double(STEP) * SPEED; }
+
+	/// With a unit impulse. \return the mean forces of this step and of the one before it as the next one sees them
+	std::pair<double, double> commit(int steps)
+	{
 		double impulses[BT_EP_DOF_COUNT] = {};
 		const signed char bounds[BT_EP_DOF_COUNT] = {};
-		impulses[r] = 1;
-		step.setSolution(impulses, bounds);
-		step.commit(1. / steps, false);
-		const btElasticPlasticState& after = joint->getState();
-		EXPECT_NEAR(1 / double(dt), double(after.m_applied[BT_EP_AXIAL]), 0.01);
-		EXPECT_NEAR(isEven ? 0.6 * force : 1 / double(dt), double(after.m_appliedBefore[BT_EP_AXIAL]), 0.01);
+		impulses[m_axial] = 1;
+		m_step->setSolution(impulses, bounds);
+		m_step->commit(1. / steps, false);
+		const btElasticPlasticState& after = m_joint->getState();
+		return {double(after.m_applied[BT_EP_AXIAL]), double(after.m_appliedBefore[BT_EP_AXIAL])};
 	}
-	else if (isEven)
-	{
-		// What damps a changed step would come on top. The trapezoidal rule of what is resolved has a quarter, backward Euler 1.
-		EXPECT_GT(alpha, stiffness > 1e7 ? 0.5 : 0.25);
-		EXPECT_LT(alpha, stiffness > 1e7 ? 0.95 : 0.3);
-	}
-	step.revert();
-}
+};
+
+constexpr double StretchedSpring::FORCE, StretchedSpring::SPEED;
+constexpr btScalar StretchedSpring::STEP;
 
 TEST(JointStep, WavesOfABlowBeginWithBackwardEuler)
 {
-	// As one of many short steps, whether it resolves the spring or not, the first is backward Euler, alpha = 1, whatever was before, and those from then on are by
-	// mode, alpha = 0.4; as one of a few it is by row.
-	for (const double stiffness : {1e8, 1e6})
-		for (const int steps : {16, 32, 64})
-			for (const double last : {1. / 60, 1. / 1920})
+	// From a long step into a short one that does not resolve it. As one of many that is backward Euler, alpha = 1, whatever was before, and by mode, alpha = 0.4,
+	// from then on; as one of a few it is by row.
+	for (const int steps : {16, 32, 64})
+		for (const double last : {1. / 60, 1. / 1920})
+		{
+			StretchedSpring spring(1e8, last, {1, 0.6, 0.4});
+			spring.begin(steps);
+			const bool isEven = last < 0.01;
+			if (steps > 16)
 			{
-				SCOPED_TRACE(std::to_string(stiffness) + " N/m, one of " + std::to_string(steps) + " after " +
-							 std::to_string(last) + " s");
-				expectBackwardEulerFirst(stiffness, steps, last);
+				EXPECT_NEAR(isEven ? 0.4 : 1, spring.alpha(), 1e-4);
+				const double force = StretchedSpring::FORCE, change = spring.change();
+				EXPECT_NEAR(isEven ? 0.4 * (force + change) + (0.8 * 0.6 - 0.2 * 0.4) * force : force + change,
+							spring.applied(), 0.01 * force);
+				const std::pair<double, double> after = spring.commit(steps);
+				EXPECT_NEAR(1 / double(StretchedSpring::STEP), after.first, 0.01);
+				EXPECT_NEAR(isEven ? 0.6 * force : 1 / double(StretchedSpring::STEP), after.second, 0.01);
 			}
+			else if (isEven)
+			{
+				// What damps a changed step would come on top.
+				EXPECT_GT(spring.alpha(), 0.5);
+				EXPECT_LT(spring.alpha(), 0.95);
+			}
+			spring.m_step->revert();
+		}
+}
+
+TEST(JointStep, WhatABlowFindsAtRestHasAPastForStepsOfAnyLength)
+{
+	// It has held one force for long: then the first short step is as those after it, by mode, or by row where these resolve it well.
+	for (const double stiffness : {1e8, 1e6})
+		for (const double force : {0., 1.})
+		{
+			StretchedSpring spring(stiffness, 1. / 60, {force, force, force});
+			spring.begin(32);
+			const double held = force * StretchedSpring::FORCE;
+			EXPECT_NEAR(stiffness > 1e7 ? 0.4 : 0.255, spring.alpha(), 0.002);
+			// The force at the end of the step has grown by all of its change, alpha of which is in the mean.
+			EXPECT_NEAR(held + spring.alpha() * spring.change(), spring.applied(),
+						1e-3 * spring.change() + 1e-4 * held);
+			const std::pair<double, double> after = spring.commit(32);
+			EXPECT_NEAR(1 / double(StretchedSpring::STEP), after.first, 0.01);
+			EXPECT_NEAR(held, after.second, 0.01);
+			spring.m_step->revert();
+		}
 }
 
 TEST(JointStep, ASearchThatIsCutLeavesNumbers)

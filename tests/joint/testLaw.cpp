@@ -276,9 +276,6 @@ TEST(Law, YieldsByTheMeanForceOrByThatOfTheMiddle)
 		const btScalar applied = (side > 0 ? row.m_upper : row.m_lower) / dt;
 		// Unloading does not pull: no bound is beyond zero, and none beyond yield.
 		EXPECT_NEAR(50 * side, (applied + mean.limit(side, applied * dt, s, dt)) / 2, 1e-3);
-		// What waves go by does not know the difference.
-		MeanForce::ofWaves(true).bound(s, 0, dt, row);
-		EXPECT_NEAR(50 * side, (side > 0 ? row.m_upper : row.m_lower) / dt, 1e-3);
 	}
 }
 

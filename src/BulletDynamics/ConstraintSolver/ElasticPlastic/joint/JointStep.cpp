@@ -15,6 +15,10 @@ namespace
 {
 /// Steps of this share of the world's step and less are those of a blow. With a sixteenth, plates that ring after one would take twice the steps.
 const btScalar SHARE_OF_A_BLOW = btScalar(1) / 32;
+/// Below this square of frequency times step a row is by row in them, too: its own swing loses 0.4 % of its critical damping by it.
+const btScalar WELL_RESOLVED = btScalar(0.1);
+/// What a row has done before a blow does not count below this share of what it does in the first step.
+const btScalar SHARE_AT_REST = btScalar(1e-3);
 }  // namespace
 
 void JointStep::project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const
@@ -93,7 +97,7 @@ bool JointStep::evaluate(btScalar dt)
 		m_row[r].m_velocity0 = velocity[m_row[r].m_dof];
 		m_row[r].m_partner = -1;
 		m_row[r].m_coupling = 0;
-		m_row[r].m_isOfWaves = false;
+		m_row[r].m_isOfWaves = m_row[r].m_isAtRest = false;
 		setImpulse(r, 0);
 	}
 	m_dt = dt;
@@ -164,10 +168,21 @@ void JointStep::withholdDrift()
 		m_withheldStep = 0;
 }
 
-bool JointStep::carriesWaves(int r) const
+bool JointStep::carriesWaves(int r, btScalar diagonal) const
 {
-	return !m_usesFibres && !m_model.m_isPaper && !m_model.m_isByMode &&
-		   !m_model.m_capacity.isRigidPlastic(m_row[r].m_dof);
+	const int dof = m_row[r].m_dof;
+	return !m_usesFibres && !m_model.m_isPaper && !m_model.m_isByMode && !m_model.m_capacity.isRigidPlastic(dof) &&
+		   m_model.m_capacity.m_stiffness[dof] * m_dt * m_dt * diagonal > WELL_RESOLVED;
+}
+
+/// Whether what a row has done so far is next to nothing beside what the step begins with: then its past is the same in steps of any length.
+bool JointStep::isAtRest(int r) const
+{
+	const DofState s = dofState(r);
+	const btScalar coming = s.m_stiffness * m_dt * btFabs(m_row[r].m_velocity0),
+				   gone = btMax(btMax(btFabs(s.m_applied[0] - s.m_force), btFabs(s.m_applied[1] - s.m_force)),
+								btFabs(s.m_forceRate) * m_model.m_state.m_lastStep);
+	return gone <= SHARE_AT_REST * coming;
 }
 
 DofState JointStep::dofState(int r) const
@@ -233,8 +248,10 @@ void JointStep::couple(JointRows& rows)
 		while (m_row[partner].m_dof != other)
 			++partner;
 		const int pair[2] = {r, partner};
-		const bool areOfWaves = m_row[r].m_isOfWaves && m_row[partner].m_isOfWaves;
+		const bool areOfWaves = m_row[r].m_isOfWaves && m_row[partner].m_isOfWaves,
+				   areAtRest = m_row[r].m_isAtRest && m_row[partner].m_isAtRest;
 		m_row[r].m_isOfWaves = m_row[partner].m_isOfWaves = areOfWaves;
+		m_row[r].m_isAtRest = m_row[partner].m_isAtRest = areAtRest;
 		const DofState states[2] = {dofState(r), dofState(partner)};
 		const btScalar step = m_dt * m_dt, a[2] = {states[0].m_stiffness * rows.m_row[r].m_diagonal * step,
 												   states[1].m_stiffness * rows.m_row[partner].m_diagonal * step};
@@ -360,7 +377,8 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		row.m_dof = m_row[r].m_dof;
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
 		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
-		m_row[r].m_isOfWaves = share <= SHARE_OF_A_BLOW && carriesWaves(r);
+		m_row[r].m_isOfWaves = share <= SHARE_OF_A_BLOW && carriesWaves(r, row.m_diagonal);
+		m_row[r].m_isAtRest = share <= SHARE_OF_A_BLOW && !m_usesFibres && isAtRest(r);
 		row.m_bound = m_lastBound[row.m_dof];
 		row.m_partner = -1;
 		row.m_coupling = 0;
@@ -908,7 +926,7 @@ int JointStep::commit(double share, bool isNew)
 		state.m_force[i] = mapped.m_force;
 		const btScalar applied = row.m_impulse * rate;
 		// The mean force of a step of another length is no past of waves.
-		state.m_appliedBefore[i] = row.m_isOfWaves && !isEven() ? applied : state.m_applied[i];
+		state.m_appliedBefore[i] = row.m_isOfWaves && !isEven(r) ? applied : state.m_applied[i];
 		state.m_applied[i] = applied;
 		unloaded[i] = mapped.m_unloaded - (m_hasRecovery ? m_dt * m_recovery[i] : btScalar(0));
 		if (mapped.m_increment == 0)

@@ -35,8 +35,8 @@ public:
 
 	/// All that a solver needs: evaluate(), and the rows with their own diagonals.
 	/// \param erp    Bullet's error reduction, for rigid-plastic rows
-	/// \param share  of the world's step: 1, or less of an inner one. In short ones, as a blow takes them, elastic rows are damped by mode: by row, the
-	///               waves of the blow would go with those that hardly resolve them, and the damage that these do.
+	/// \param share  of the world's step: 1, or less of an inner one. In short ones, as a blow takes them, rows that these do not resolve well are damped by mode:
+	///               by row, the waves of the blow would go with them, and the damage that these do.
 	bool begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows);
 
 	/// For a solver that makes rows one by one, after evaluate() and before makeRow(): makes the fibres of a joint that uses them, without
@@ -214,6 +214,7 @@ private:
 		bool m_isBoundKnown;
 		bool m_isForStock;
 		bool m_isOfWaves;       ///< see begin()
+		bool m_isAtRest;        ///< has hardly moved before a blow
 		signed char m_partner;  ///< the row with which it is coupled in this step, -1: none
 		btScalar m_coupling;    ///< compliance beside the diagonal, of both
 	};
@@ -229,13 +230,15 @@ private:
 	Drift driftOf(const btScalar spin[2], btScalar dt) const;
 	void withholdDrift();
 	const btScalar* lastForce() const;
-	bool carriesWaves(int r) const;
+	bool carriesWaves(int r, btScalar diagonal) const;
+	bool isAtRest(int r) const;
 	bool areAlike() const;
 	void makeRows(btScalar erp, JointRows& rows);
 	void makeRowsAlike(btScalar erp, JointRows& rows);
 	void mapRows(bool isCut, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	bool mapAlike(const btScalar velocity1[BT_EP_DOF_COUNT], ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
-	bool isEven() const { return m_model.m_state.m_lastStep == m_dt; }
+	/// Whether the past of a row is as of steps of this length.
+	bool isEven(int r) const { return m_row[r].m_isAtRest || m_model.m_state.m_lastStep == m_dt; }
 	DofState dofState(int r) const;
 	PaperLaw paperLaw(int dof) const;
 	void couple(JointRows& rows);
@@ -258,8 +261,8 @@ private:
 	MeanForce meanForce(int r, btScalar a) const
 	{
 		if (m_row[r].m_isOfWaves)
-			return MeanForce::ofWaves(isEven());
-		const btScalar last = m_model.m_state.m_lastStep;
+			return MeanForce::byMode(btScalar(isEven(r) ? 1 : 0));
+		const btScalar last = m_row[r].m_isAtRest ? m_dt : m_model.m_state.m_lastStep;
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}
 	/// In the step.

@@ -87,8 +87,8 @@ inline btScalar clampedForce(const DofState& s) { return s.withinYield(s.m_stiff
 /// With tau = 1 a swing of 50 steps has a damping ratio of 2e-5, one of 12 steps 0.5 %, of 3 steps 16 %; what has a tenth of a step a period
 /// keeps an eighth of itself from step to step. tau = 0 is backward Euler.
 ///
-/// In the many short steps of a blow (JointStep::begin()) elastic rows are by mode, those of fibres by row. Either kind takes energy from any
-/// oscillation of an even step, so that no mix of elastic rows gains any. Such a row yields by its mean force alone, eta = 0.
+/// In the many short steps of a blow (JointStep::begin()) rows that these do not resolve well are by mode, all others and those of fibres by row. Either
+/// kind takes energy from any oscillation of an even step, so that no mix of elastic rows gains any.
 ///
 /// Steps that change in phase with an oscillation would feed energy into it; therefore a changed step dissipates, by either.
 struct MeanForce
@@ -134,27 +134,18 @@ struct MeanForce
 
 	static MeanForce byMode(btScalar dt, btScalar lastStep)
 	{
-		const btScalar tau = btMax(btScalar(0), 1 - 2 * changeOf(dt, lastStep));
+		return byMode(btMax(btScalar(0), 1 - 2 * changeOf(dt, lastStep)));
+	}
+
+	/// \param tau  0: backward Euler, which gives no energy whatever was before
+	static MeanForce byMode(btScalar tau)
+	{
 		MeanForce mean;
 		mean.m_isByMode = true;
 		mean.m_middle = btScalar(0.5);
 		mean.m_alpha = 1 / (1 + btScalar(1.5) * tau);
 		mean.m_share[0] = 2 * tau * mean.m_alpha;
 		mean.m_share[1] = btScalar(-0.5) * tau * mean.m_alpha;
-		return mean;
-	}
-
-	/// By mode, of a row that yields by its mean force; the first step after one of another length is backward Euler, which gives no energy whatever
-	/// was before.
-	static MeanForce ofWaves(bool isEven)
-	{
-		MeanForce mean = byMode(1, 1);
-		if (!isEven)
-		{
-			mean.m_alpha = 1;
-			mean.m_share[0] = mean.m_share[1] = 0;
-		}
-		mean.m_middle = 0;
 		return mean;
 	}
 
