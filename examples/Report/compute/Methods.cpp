@@ -78,7 +78,12 @@ std::vector<int> iterationsToCompare(int stepsPerSecond, bool quick)
 	if (quick)
 		return {10};
 	// More would take hours and teach nothing that fewer steps do not.
-	return stepsPerSecond <= 240 ? std::vector<int>{10, 50, 250} : std::vector<int>{10, 50};
+	std::vector<int> iterations = {10};
+	if (stepsPerSecond <= 480)
+		iterations.push_back(50);
+	if (stepsPerSecond <= 240)
+		iterations.push_back(250);
+	return iterations;
 }
 
 std::vector<Setting> settingsToCompare(int rate, int substeps, bool hasFibres, bool quick)

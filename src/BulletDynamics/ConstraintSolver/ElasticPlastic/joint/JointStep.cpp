@@ -15,7 +15,7 @@ namespace
 {
 /// Steps of this share of the world's step and less are those of a blow. With a sixteenth, plates that ring after one would take twice the steps.
 const btScalar SHARE_OF_A_BLOW = btScalar(1) / 32;
-/// Below this square of frequency times step a row is by row in them, too: its own swing loses 0.4 % of its critical damping by it.
+/// Below this square of frequency times step a row is by row in them, too: that damps its own swing by 0.4 % of the critical.
 const btScalar WELL_RESOLVED = btScalar(0.1);
 /// What a row has done before a blow does not count below this share of what it does in the first step.
 const btScalar SHARE_AT_REST = btScalar(1e-3);
