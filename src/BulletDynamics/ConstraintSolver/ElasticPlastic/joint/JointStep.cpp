@@ -371,19 +371,20 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 	rows.m_numRows = getNumPlainRows();
 	rows.m_numFibres = 0;
 	rows.m_coupledShear[0] = rows.m_coupledShear[1] = -1;
+	const bool isOfBlow = share <= SHARE_OF_A_BLOW, hasOtherPast = isOfBlow && m_model.m_state.m_lastStep != dt;
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		JointRows::Row& row = rows.m_row[r];
 		row.m_dof = m_row[r].m_dof;
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
 		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
-		m_row[r].m_isOfWaves = share <= SHARE_OF_A_BLOW && carriesWaves(r, row.m_diagonal);
-		m_row[r].m_isAtRest = share <= SHARE_OF_A_BLOW && !m_usesFibres && isAtRest(r);
+		m_row[r].m_isOfWaves = isOfBlow && carriesWaves(r, row.m_diagonal);
+		m_row[r].m_isAtRest = hasOtherPast && !m_usesFibres && isAtRest(r);
 		row.m_bound = m_lastBound[row.m_dof];
 		row.m_partner = -1;
 		row.m_coupling = 0;
 	}
-	m_areAlike = share > SHARE_OF_A_BLOW && areAlike();
+	m_areAlike = !isOfBlow && areAlike();
 	if (m_areAlike)
 		makeRowsAlike(erp, rows);
 	else

@@ -214,7 +214,7 @@ private:
 		bool m_isBoundKnown;
 		bool m_isForStock;
 		bool m_isOfWaves;       ///< see begin()
-		bool m_isAtRest;        ///< has hardly moved before a blow
+		bool m_isAtRest;        ///< had hardly moved when a blow's steps became of this length
 		signed char m_partner;  ///< the row with which it is coupled in this step, -1: none
 		btScalar m_coupling;    ///< compliance beside the diagonal, of both
 	};
