@@ -75,8 +75,11 @@ void changeFactors(btConeTwistConstraint& cone, const Change& change)
 {
 	if (cone.getFlags() & BT_CONETWIST_FLAGS_LIN_ERP)
 		changeParameter(cone, BT_CONSTRAINT_ERP, 0, 0, change);
+	// A swing that is as good as locked is held by the relaxation factor. That of any other multiplies its axis.
+	const bool isLocked = btMax(cone.getSwingSpan1(), cone.getSwingSpan2()) < cone.getFixThresh();
+	const btScalar relaxation = cone.getRelaxationFactor();
 	cone.setLimit(cone.getSwingSpan1(), cone.getSwingSpan2(), cone.getTwistSpan(), cone.getLimitSoftness(),
-				  change(1, cone.getBiasFactor()), cone.getRelaxationFactor());
+				  change(1, cone.getBiasFactor()), isLocked ? change(2, relaxation) : relaxation);
 }
 
 template <class Change>
