@@ -89,8 +89,8 @@ TEST(FiniteFibres, AStateOfFibresIsOneUnderAnotherScheme)
 	btElasticPlasticJoint* joint = pair.join(strong);
 	for (int i = 0; i < 3; ++i)
 	{
-		pair.m_a->applyCentralForce(btVector3(btScalar(20e3), 0, 0));
-		pair.m_b->applyCentralForce(btVector3(btScalar(-20e3), 0, 0));
+		pair.m_a->applyCentralForce(btVector3(btScalar(30e3), 0, 0));
+		pair.m_b->applyCentralForce(btVector3(btScalar(-30e3), 0, 0));
 		run(pair.m_world, 1, btScalar(1) / 60);
 	}
 	EXPECT_GT(double(btFabs(joint->getState().m_force[BT_EP_AXIAL])), 64 * double(strong.m_yield[BT_EP_AXIAL]));

@@ -267,12 +267,11 @@ TEST(Law, YieldsByTheMeanForceOrByThatOfTheMiddle)
 	const btScalar dt = btScalar(0.01);
 	const MeanForce mean = MeanForce::byMode(dt, dt);
 	const DofState s = {1000, 50, btScalar(0.03), 30, 0, {30, 30}};
-	SoftRow row;
 	for (const int side : {1, -1})
 	{
-		mean.bound(s, btScalar(1e9), dt, row);
+		SoftRow row = implicitRow(s, mean, btScalar(1e9), dt);
 		EXPECT_NEAR(50 * side, (side > 0 ? row.m_upper : row.m_lower) / dt, 1e-3);
-		mean.bound(s, 0, dt, row);
+		row = implicitRow(s, mean, 0, dt);
 		const btScalar applied = (side > 0 ? row.m_upper : row.m_lower) / dt;
 		// Unloading does not pull: no bound is beyond zero, and none beyond yield.
 		EXPECT_NEAR(50 * side, (applied + mean.limit(side, applied * dt, s, dt)) / 2, 1e-3);
@@ -288,8 +287,8 @@ TEST(Law, BoundsAreWithinYieldAndContainZero)
 				for (const double lastStep : {0., 0.01, 0.02, 0.1})
 				{
 					const DofState s = {1000, 50, 0, 0, 0, {btScalar(last), btScalar(before)}};
-					SoftRow row;
-					MeanForce::byMode(btScalar(0.01), btScalar(lastStep)).bound(s, btScalar(a), btScalar(0.01), row);
+					const SoftRow row = implicitRow(s, MeanForce::byMode(btScalar(0.01), btScalar(lastStep)),
+													btScalar(a), btScalar(0.01));
 					EXPECT_LE(row.m_lower, 0);
 					EXPECT_GE(row.m_upper, 0);
 					EXPECT_GE(row.m_lower, btScalar(-0.5));

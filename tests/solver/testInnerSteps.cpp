@@ -345,8 +345,8 @@ TEST(InnerSteps, BendParkesCantileverWithAnyMass)
 
 TEST(InnerSteps, BendParkesCantileverAlikeWhateverIsRounded)
 {
-	// A change of the velocity that is next to nothing moves the moments at which inner steps become longer: 2e-4 of the tip's way. Where they do as soon as 16 are calm,
-	// that is 1.1 %, and some are above the error.
+	// A change of the velocity that is next to nothing moves the moments at which inner steps become longer: up to 0.4 % of the tip's way, in float. Where they do
+	// as soon as 16 are calm, that is 1.1 %, and some are above the error.
 	double least = 1, most = 0;
 	for (int change = -8; change <= 8; ++change)
 	{
@@ -361,7 +361,7 @@ TEST(InnerSteps, BendParkesCantileverAlikeWhateverIsRounded)
 	}
 	const double exact = parkesTip(0.3, 50);
 	EXPECT_LT(fabs(least / exact - 1), ERROR_FOUND);
-	EXPECT_LT(most - least, 0.003 * exact);
+	EXPECT_LT(most - least, 0.005 * exact);
 }
 
 /// A car of 1 t against the middle of a beam of 4 m between two posts.
@@ -509,14 +509,15 @@ TEST(InnerSteps, AStructureThatFallsFallsAsFarAsItShould)
 
 TEST(InnerSteps, ABoxThatBouncesDoesItsDamage)
 {
-	// At 1/60 s alone it leaves no plastic work at all. Against steps of the world as short as the inner ones may be, by mode, from before it lands until it
-	// is on its way up: 2784 J. Its many small bounces want far shorter ones: an eighth of them leaves 3132 J, by row as well, which with 1/15360 s leaves 2620 J.
+	// At 1/60 s alone it leaves no plastic work at all. Against steps of the world of 1/15360 s, by mode, from before it lands until it is on its way up: 2784 J.
+	// Its many small bounces want far shorter ones, and collision detection with them: an eighth of them leaves 3132 J, by row as well, which with 1/15360 s leaves 2620 J.
+	const int fineSteps = 256;
 	Drop fine(2, 0.5), inner(2, 0.5);
 	takeInnerSteps(inner.m_world);
 	for (btElasticPlasticJoint* joint : fine.m_world.joints())
 		joint->setScheme(BT_EP_SCHEME_BY_MODE);
 	run(fine.m_world, 36 * 16, FRAME / 16);
-	run(fine.m_world, 12 * MOST_STEPS, FRAME / MOST_STEPS);
+	run(fine.m_world, 12 * fineSteps, FRAME / fineSteps);
 	EnergyAudit audit(inner.m_world);
 	for (int i = 0; i < 120; ++i)
 		audit.step(FRAME);
@@ -531,12 +532,18 @@ struct LightBlow
 {
 	World m_world{Solver::Direct};
 
-	LightBlow(double length, double height, double times)
+	LightBlow(double length, double height, double times, bool withFibres = false)
 	{
 		Member::Settings settings;
 		settings.material = btElasticPlasticMaterial::steel(btScalar(250e6));
 		settings.width = settings.height = btScalar(height);
 		settings.parts = 12;
+		if (withFibres)
+			settings.capacityOf = [&settings](btScalar toA, btScalar toB)
+			{
+				const auto section = btElasticPlasticSection::rectangle(settings.width, settings.height).withFibres();
+				return btElasticPlasticCapacity::fromMember(settings.material, section, toA, toB);
+			};
 		Member member(m_world, settings, btTransform::getIdentity(), btScalar(length));
 		member.joinStart(m_world, *m_world.body(0, m_world.box(btVector3(1, 1, 1)), at(-0.5), false));
 		double stored = 0;
@@ -554,7 +561,7 @@ struct LightBlow
 
 TEST(InnerSteps, LightBlowsOnSlenderBeamsDoTheirDamage)
 {
-	// What they leave ringing bends the root some periods later, if it is not damped before: by row, up to 29 % of the work was missing. Against steps of 1/15360 s by mode.
+	// What they leave ringing bends the root some periods later, if it is not damped before: by row, up to 29 % of the work was missing. Against steps as short as inner ones may be, by mode.
 	for (const double length : {1., 2., 3.})
 		for (const double times : {1.5, 3.})
 		{
@@ -568,6 +575,23 @@ TEST(InnerSteps, LightBlowsOnSlenderBeamsDoTheirDamage)
 			SCOPED_TRACE(std::to_string(length) + " m, " + std::to_string(times) + " times");
 			expectClose(plasticEnergy(fine.m_world), plasticEnergy(inner.m_world), ERROR_FOUND);
 		}
+}
+
+TEST(InnerSteps, LightBlowsOnSectionsThatYieldAsAWholeDoToo)
+{
+	// By row, up to 80 % of the work was missing. Against steps of 1/491520 s, in which fibres are by row: twice as long ones leave 0.4 to 5 % less.
+	const struct
+	{
+		double m_length, m_times, m_work;
+	} blows[] = {{1, 1.5, 106.5}, {1, 3, 235.3}, {1, 8, 688.3}, {2, 1.5, 231.2}, {2, 3, 491.4}, {2, 8, 1387}};
+	for (const auto& blow : blows)
+	{
+		LightBlow inner(blow.m_length, 0.05, blow.m_times, true);
+		run(inner.m_world, 30);
+		SCOPED_TRACE(std::to_string(blow.m_length) + " m, " + std::to_string(blow.m_times) + " times");
+		// What their default error and work leave out, 9 to 19 %; with an error of 0.0025 and all the work that it asks for it is 2.4 % at the most.
+		expectClose(blow.m_work, plasticEnergy(inner.m_world), 0.2);
+	}
 }
 
 TEST(InnerSteps, ContactsAreFoundBeforeBodiesTouch)
@@ -1184,6 +1208,7 @@ TEST(InnerSteps, DoNotHurryConstraintsThatReduceErrorsThemselves)
 				if (cone)
 				{
 					EXPECT_EQ(btScalar(0.3f), cone->getBiasFactor());
+					EXPECT_EQ(1, cone->getRelaxationFactor());
 					row.m_world.bullet().removeConstraint(cone.get());
 				}
 			}

@@ -124,13 +124,16 @@ btScalar btElasticPlasticJoint::getForce(int dof) const
 	for (const btScalar* branch : getState().m_branch)
 		force += read(branch, dof);
 	const btElasticPlasticCapacity& capacity = getCapacity();
-	// The sum of spring and damping may be rounded beyond the yield value, and by mode a spring may be strained beyond it for a step.
-	// Fibres that harden have none, and shears bear more under pressure with friction, and beside others in some sections with fibres.
 	const bool isShear = dof == BT_EP_SHEAR_Y || dof == BT_EP_SHEAR_Z;
-	if (!capacity.isElasticPlastic(dof) || (isShear && (capacity.hasFibres() || capacity.m_friction > 0)) ||
+	// Fibres that harden have no yield value, and shears bear more under pressure with friction.
+	if (!capacity.isElasticPlastic(dof) || (isShear && capacity.m_friction > 0) ||
 		(capacity.hasFibres() && btElasticPlasticCapacity::isOfFibres(dof)))
 		return force;
-	return btMax(-capacity.m_yield[dof], btMin(capacity.m_yield[dof], force));
+	// The sum of spring and damping may be rounded beyond the yield value, and by mode a spring may be strained beyond it for a step. Beside others in some
+	// sections with fibres a shear bears more: what has been applied tells it.
+	const btScalar applied = isShear && capacity.hasFibres() ? btFabs(read(getState().m_applied, dof)) : btScalar(0),
+				   most = btMax(capacity.m_yield[dof], applied);
+	return btMax(-most, btMin(most, force));
 }
 btScalar btElasticPlasticJoint::getAppliedForce(int dof) const { return read(getState().m_applied, dof); }
 btScalar btElasticPlasticJoint::getPlasticDeformation(int dof) const { return read(getState().m_plastic, dof); }

@@ -75,7 +75,7 @@ struct btElasticPlasticSolverSettings
 	double m_innerError = 0.04;
 
 	/// The most inner steps of a step, 1 to 4096, of which the largest power of two is taken. Where more were needed, the error is larger.
-	int m_maxInnerSteps = 256;
+	int m_maxInnerSteps = 1024;
 
 	/// The most work for the inner steps of an island in a step, in the unit of btElasticPlasticStatistics::m_work, > 0: a large
 	/// island takes fewer, and none if there is not the work for four, which are 3000 by constraint or 1000 by contact point at the least: none of

@@ -88,8 +88,12 @@ DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUN
 {
 	const int dof = BT_EP_SHEAR_Y + shear;
 	const btElasticPlasticState& state = m_model.m_state;
-	DofState s = {
-		m_model.m_capacity.m_stiffness[dof], yieldOf(dof), strain[dof], state.m_force[dof], state.m_forceRate[dof], {}};
+	DofState s = {m_model.m_capacity.m_stiffness[dof],
+				  yieldOf(dof),
+				  strain[dof],
+				  state.m_force[dof],
+				  state.m_forceRate[dof],
+				  {state.m_applied[dof], state.m_appliedBefore[dof]}};
 	m_damping.addTo(s, state.m_branch, dof);
 	return s;
 }
@@ -385,6 +389,48 @@ btScalar FibreStep::squareOfFrequency(const Motion& motion, btScalar diagonal, c
 	return square;
 }
 
+/// Not where a fibre opens by whatever it moves, or its strength changes in the step.
+bool FibreStep::carriesWaves(const Motion& motion) const
+{
+	return motion.m_isOfBlow && m_model.m_areSteady && !m_model.anyBearsPressureOnly();
+}
+
+/// Of fibres only what they add up to is known of the last two steps' mean forces. That differs from the present one as in an elastic section: a fibre that has flowed
+/// has kept its force meanwhile.
+FibreStep::Past FibreStep::pastOf(const MeanForce& scheme) const
+{
+	const btElasticPlasticState& state = m_model.m_state;
+	SectionForces now;
+	if (!m_damping.isNone())
+		for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
+		{
+			const SectionForces branch = m_model.branchForces(b);
+			now.m_axial += branch.m_axial;
+			now.m_momentY += branch.m_momentY;
+			now.m_momentZ += branch.m_momentZ;
+		}
+	const auto beyond = [&](int dof, double branches)
+	{
+		return scheme.beyondOwn(double(state.m_applied[dof]), double(state.m_appliedBefore[dof]),
+								double(state.m_force[dof]) + branches);
+	};
+	SectionForces sum;
+	sum.m_axial = beyond(BT_EP_AXIAL, now.m_axial);
+	sum.m_momentY = beyond(BT_EP_BENDING_Y, now.m_momentY);
+	sum.m_momentZ = beyond(BT_EP_BENDING_Z, now.m_momentZ);
+	return {scheme.shareOfOwn(), m_model.bearingCompliance().of(sum).rounded()};
+}
+
+btScalar FibreStep::knownByMode(int i, const Past& past, btScalar force,
+								const JointModel::FibreStrength& strength) const
+{
+	const JointModel::BearingFibre& fibre = m_model.m_bearing[i];
+	if (m_model.m_state.m_fibres[i].isRuptured())
+		return 0;
+	const btScalar known = past.m_own * force + past.m_plane.at(fibre) * fibre.m_stiffness;
+	return btMax(-past.m_own * strength.m_compression, btMin(past.m_own * strength.m_tension, known));
+}
+
 void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& motion, btScalar diagonal, btScalar dt,
 					  JointRows& rows)
 {
@@ -402,7 +448,13 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	findCoupledRows(rows);
 	findBranches();
 	const btScalar a = dt * dt * squareOfFrequency(motion, diagonal, rows);
-	const MeanForce scheme = MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
+	m_areOfWaves = carriesWaves(motion);
+	const MeanForce scheme = m_areOfWaves ? MeanForce::byMode(btScalar(motion.m_isEven ? 1 : 0))
+										  : MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
+	Past past = {};
+	if (m_areOfWaves)
+		past = pastOf(scheme);
+	m_known.resize(n);
 	const bool damps = !m_damping.isNone();
 	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha, stiffening = m_damping.getStiffening(),
 				   perStiffness = perTime / (alpha * (1 + stiffening));
@@ -418,19 +470,22 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		const JointModel::BearingFibre& fibre = fibres[i];
 		const btElasticPlasticFibreState& state = states[i];
 		const DofState s = stateOf(fibre, state, damps ? allDamped + i : nullptr, stiffening, plane);
-		const btScalar known = scheme.known(s, dt), inverse = perStiffness / s.m_stiffness;
 		// With a state of its own: what a function gets by address does not stay in registers, and most fibres are steady.
 		const Strength strength =
 			areSteady ? steadyStrength(i, fibre, state) : strengthInStep(i, stateOf(i, strain), motion, alpha);
 		if (!areSteady)
 			m_strength[i] = strength;
+		const btScalar known = m_areOfWaves ? knownByMode(i, past, s.m_force, strength) : scheme.known(s, dt),
+					   inverse = perStiffness / s.m_stiffness;
+		const MeanForce::Bounds bounds = scheme.bound(known, strength.m_tension, strength.m_compression, a);
+		m_known[i] = known;
 		// As implicitRow(), with two bounds.
 		JointRows::Fibre& row = to[i];
 		const bool holds = !state.isRuptured();
 		row.m_soft.m_compliance = inverse * perTime;
 		row.m_soft.m_velocity = s.m_strain * perTime + (known + alpha * s.m_carried) * inverse;
-		row.m_soft.m_lower = holds ? dt * (known - alpha * strength.m_compression) : btScalar(0);
-		row.m_soft.m_upper = holds ? dt * (known + alpha * strength.m_tension) : btScalar(0);
+		row.m_soft.m_lower = holds ? dt * bounds.m_lower : btScalar(0);
+		row.m_soft.m_upper = holds ? dt * bounds.m_upper : btScalar(0);
 		row.m_y = fibre.m_y;
 		row.m_z = fibre.m_z;
 		row.m_coupling[0] = row.m_coupling[1] = 0;
@@ -464,7 +519,7 @@ void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& 
 			const DofState fibre = stateOf(i, strain);
 			rows.m_fibres[i].m_coupling[shear] = coupling / m_dt;
 			rows.m_fibres[i].m_soft.m_velocity += coupling * known;
-			soft.m_velocity += coupling * (scheme.known(fibre, m_dt) + scheme.m_alpha * fibre.m_carried);
+			soft.m_velocity += coupling * (m_known[i] + scheme.m_alpha * fibre.m_carried);
 		}
 	}
 }

@@ -23,8 +23,13 @@ namespace btElasticPlastic
 /// where these are coupled with bending: those of the axial row, the fastest, so that what a step does not resolve dies out. In inner steps that would
 /// take most of a bending that rings after a blow before it is flow. There it is the mean of all rows' frequencies, in their logarithms, weighted by how
 /// much of the joint's motion is in each; but that of the axial row where the step elongates the section further than it resolves, or a fibre bears
-/// pressure only: it opens by whatever it moves, and a force that the step knows from its beginning would work on all of that. The offsets of fibres have no mean: what they have in common
-/// is the joint's plastic deformation, by which the reference moves.
+/// pressure only: it opens by whatever it moves, and a force that the step knows from its beginning would work on all of that.
+///
+/// In the many inner steps of a blow fibres are by mode, and so are the shears that are coupled with them, but where one bears pressure only or its strength changes in the step.
+/// Of the mean forces of the last two steps those of the section are kept: a fibre's are taken to differ from its present force as they would in an elastic section.
+/// At the end of a step it bears no more than its strength, whatever the scheme.
+///
+/// The offsets of fibres have no mean: what they have in common is the joint's plastic deformation, by which the reference moves.
 ///
 /// The material's damping acts on each fibre as on a spring, with branches whose forces follow the fibre's and relax. At the end of a step only
 /// what they add up to over the section is kept, N, M_y and M_z of each branch, and the next one finds of it the fibres' shares, as of a section that
@@ -48,6 +53,8 @@ public:
 		btScalar m_rate[BT_EP_DOF_COUNT];  ///< of strain
 		btScalar m_turn[2];                ///< A of the two rows of bending
 		bool m_isInner;                    ///< the step is shorter than the world's
+		bool m_isOfBlow;                   ///< and one of many
+		bool m_isEven;                     ///< the section's past is as of steps of this length
 	};
 
 	/// Before all rows of the step are made: what shears and torsion leave of the fibres and of each other.
@@ -100,6 +107,10 @@ public:
 	const btAlignedObjectArray<Loss>& getLosses() const { return m_losses; }
 	void forgetLosses() { m_losses.resize(0); }
 
+	/// Whether the step's fibres are by mode, and the shear that is coupled with them, if this one is.
+	bool areOfWaves() const { return m_areOfWaves; }
+	bool isCoupled(int row) const { return row == m_shearRow[0] || row == m_shearRow[1]; }
+
 	/// Whether a fibre is at a bound of its impulse.
 	bool isAnyAtBound() const
 	{
@@ -141,6 +152,13 @@ private:
 		btScalar m_change;   ///< of the spring's force in the step, once its state is taken
 	};
 
+	/// What is known of fibres' mean forces by mode: a share of their forces at the beginning of the step, and a plane.
+	struct Past
+	{
+		btScalar m_own;
+		SectionPlaneOf<btScalar> m_plane;
+	};
+
 	static DofState stateOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
 							const Damped* damped, btScalar stiffening, const SectionPlaneOf<btScalar>& plane);
 	DofState stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const;
@@ -148,6 +166,9 @@ private:
 	double couplingOf(int fibre, int shear) const;
 	void findCoupledRows(const JointRows& rows);
 	void findBranches();
+	bool carriesWaves(const Motion& motion) const;
+	Past pastOf(const MeanForce& scheme) const;
+	btScalar knownByMode(int fibre, const Past& past, btScalar force, const JointModel::FibreStrength& strength) const;
 	void couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a, JointRows& rows);
 	bool takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
@@ -192,7 +213,9 @@ private:
 	SectionPlane m_branch[MaterialDamping::BRANCHES];  ///< in which the damping's branches have their forces then
 	btAlignedObjectArray<Damped> m_damped;
 	btScalar m_dt = 0;
-	int m_shearRow[2] = {-1, -1};  ///< of the joint's rows that are coupled with the fibres, -1: none
+	bool m_areOfWaves = false;               ///< by mode, see the class
+	btAlignedObjectArray<btScalar> m_known;  ///< c of Law.h
+	int m_shearRow[2] = {-1, -1};            ///< of the joint's rows that are coupled with the fibres, -1: none
 	int m_numFibres = 0;
 	btAlignedObjectArray<Strength> m_strength;  ///< for the step; not made of fibres that are steady until one flows
 	double m_response[3];                       ///< of elongation and turns to strength, see findResponse()

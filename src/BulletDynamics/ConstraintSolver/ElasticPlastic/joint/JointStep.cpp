@@ -171,7 +171,7 @@ void JointStep::withholdDrift()
 bool JointStep::carriesWaves(int r, btScalar diagonal) const
 {
 	const int dof = m_row[r].m_dof;
-	return !m_usesFibres && !m_model.m_isPaper && !m_model.m_isByMode && !m_model.m_capacity.isRigidPlastic(dof) &&
+	return !m_model.m_isPaper && (m_usesFibres || !m_model.m_isByMode) && !m_model.m_capacity.isRigidPlastic(dof) &&
 		   m_model.m_capacity.m_stiffness[dof] * m_dt * m_dt * diagonal > WELL_RESOLVED;
 }
 
@@ -351,6 +351,29 @@ void JointStep::makeFibres(const FibreStep::Motion& motion, const Diagonal& diag
 	m_fibres.begin(k.m_strain, motion, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt, rows);
 }
 
+/// Whether the past of what fibres add up to is as of steps of this length.
+bool JointStep::areFibresEven(bool hasOtherPast)
+{
+	bool areAtRest = hasOtherPast;
+	for (int r = getNumPlainRows(); r < m_numRows && areAtRest; ++r)
+		areAtRest = isAtRest(r);
+	for (int r = getNumPlainRows(); r < m_numRows; ++r)
+		m_row[r].m_isAtRest = areAtRest;
+	return areAtRest || m_model.m_state.m_lastStep == m_dt;
+}
+
+/// What fibres add up to, and what is coupled with them, is of their scheme.
+void JointStep::takeScheme()
+{
+	const int numPlain = getNumPlainRows();
+	for (int r = 0; r < m_numRows; ++r)
+		if (r >= numPlain || m_fibres.isCoupled(r))
+		{
+			m_row[r].m_isOfWaves = m_fibres.areOfWaves();
+			m_row[r].m_isAtRest = m_row[m_numRows - 1].m_isAtRest;
+		}
+}
+
 void JointStep::beginFibres(JointRows& rows)
 {
 	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());
@@ -368,10 +391,11 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 	if (m_usesFibres)
 		motion = beginShear(diagonal);
 	motion.m_isInner = share < 1;
+	motion.m_isOfBlow = share <= SHARE_OF_A_BLOW;
 	rows.m_numRows = getNumPlainRows();
 	rows.m_numFibres = 0;
 	rows.m_coupledShear[0] = rows.m_coupledShear[1] = -1;
-	const bool isOfBlow = share <= SHARE_OF_A_BLOW, hasOtherPast = isOfBlow && m_model.m_state.m_lastStep != dt;
+	const bool isOfBlow = motion.m_isOfBlow, hasOtherPast = isOfBlow && m_model.m_state.m_lastStep != dt;
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		JointRows::Row& row = rows.m_row[r];
@@ -379,7 +403,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
 		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
 		m_row[r].m_isOfWaves = isOfBlow && carriesWaves(r, row.m_diagonal);
-		m_row[r].m_isAtRest = hasOtherPast && !m_usesFibres && isAtRest(r);
+		m_row[r].m_isAtRest = hasOtherPast && isAtRest(r);
 		row.m_bound = m_lastBound[row.m_dof];
 		row.m_partner = -1;
 		row.m_coupling = 0;
@@ -390,7 +414,11 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 	else
 		makeRows(erp, rows);
 	if (m_usesFibres)
+	{
+		motion.m_isEven = areFibresEven(hasOtherPast);
 		makeFibres(motion, diagonal, rows);
+		takeScheme();
+	}
 	if (m_model.m_isPaper)
 		rows.m_damping = TensionDamping();
 	else

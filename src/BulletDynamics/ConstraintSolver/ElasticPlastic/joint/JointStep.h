@@ -35,7 +35,7 @@ public:
 
 	/// All that a solver needs: evaluate(), and the rows with their own diagonals.
 	/// \param erp    Bullet's error reduction, for rigid-plastic rows
-	/// \param share  of the world's step: 1, or less of an inner one. In short ones, as a blow takes them, rows that these do not resolve well are damped by mode:
+	/// \param share  of the world's step: 1, or less of an inner one. In short ones, as a blow takes them, rows that these do not resolve well and fibres are damped by mode:
 	///               by row, the waves of the blow would go with them, and the damage that these do.
 	bool begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows);
 
@@ -254,6 +254,8 @@ private:
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
 	void takeBackKinematicMotion();
 	FibreStep::Motion beginShear(const Diagonal& diagonal);
+	bool areFibresEven(bool hasOtherPast);
+	void takeScheme();
 	void makeFibres(const FibreStep::Motion& motion, const Diagonal& diagonal, JointRows& rows);
 	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
 	void projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) const;

@@ -87,7 +87,7 @@ inline btScalar clampedForce(const DofState& s) { return s.withinYield(s.m_stiff
 /// With tau = 1 a swing of 50 steps has a damping ratio of 2e-5, one of 12 steps 0.5 %, of 3 steps 16 %; what has a tenth of a step a period
 /// keeps an eighth of itself from step to step. tau = 0 is backward Euler.
 ///
-/// In the many short steps of a blow (JointStep::begin()) rows that these do not resolve well are by mode, all others and those of fibres by row. Either
+/// In the many short steps of a blow (JointStep::begin()) rows that these do not resolve well and those of fibres are by mode, all others by row. Either
 /// kind takes energy from any oscillation of an even step, so that no mix of elastic rows gains any.
 ///
 /// Steps that change in phase with an oscillation would feed energy into it; therefore a changed step dissipates, by either.
@@ -157,26 +157,38 @@ struct MeanForce
 		return (1 - m_alpha) * s.m_force - m_beta * dt * s.m_forceRate;
 	}
 
-	/// Bounds of a row's impulse. By mode, |eta f* + (1 - eta) lambda / dt| and |lambda / dt| are at most F, and no bound is beyond zero:
-	/// a row that the step resolves (eta = 1/2) yields by the force in the middle of the step, where the velocity is that at
-	/// its end; a stiff one (eta -> 0) by the mean force.
-	/// \param a  square of frequency times step
-	void bound(const DofState& s, btScalar a, btScalar dt, SoftRow& row) const
+	/// By mode, of a force of which only the one at the beginning of the step is kept, the share of that in c; the rest is of the mean forces by which
+	/// two steps of a sum that it is part of differ from it.
+	btScalar shareOfOwn() const { return m_share[0] + m_share[1]; }
+	/// By mode, c of two mean forces less as much of the force at the beginning of the step.
+	double beyondOwn(double applied, double appliedBefore, double own) const
 	{
-		const btScalar c = known(s, dt);
-		if (!m_isByMode)
-		{
-			row.m_lower = dt * (c - m_alpha * s.m_yield);
-			row.m_upper = dt * (c + m_alpha * s.m_yield);
-			return;
-		}
-		const btScalar eta = m_middle / (1 + a / 16), share = m_alpha / (eta + (1 - eta) * m_alpha),
-					   middle = c - share * (1 - eta) * c;
-		row.m_lower = dt * btMax(-s.m_yield, btMin(btScalar(0), middle - share * s.m_yield));
-		row.m_upper = dt * btMin(s.m_yield, btMax(btScalar(0), middle + share * s.m_yield));
+		return double(m_share[0]) * (applied - own) + double(m_share[1]) * (appliedBefore - own);
 	}
 
-	/// f* at one of these bounds.
+	/// The least and the greatest mean force.
+	struct Bounds
+	{
+		btScalar m_lower, m_upper;
+	};
+
+	/// By mode, |eta f* + (1 - eta) lambda / dt| and |lambda / dt| are at most F, and no bound is beyond zero:
+	/// a row that the step resolves (eta = 1/2) yields by the force in the middle of the step, where the velocity is that at
+	/// its end; a stiff one (eta -> 0) by the mean force.
+	/// \param c                     what is known of it
+	/// \param tension, compression  F in either direction
+	/// \param a                     square of frequency times step
+	Bounds bound(btScalar c, btScalar tension, btScalar compression, btScalar a) const
+	{
+		if (!m_isByMode)
+			return {c - m_alpha * compression, c + m_alpha * tension};
+		const btScalar eta = m_middle / (1 + a / 16), share = m_alpha / (eta + (1 - eta) * m_alpha),
+					   middle = c - share * (1 - eta) * c;
+		return {btMax(-compression, btMin(btScalar(0), middle - share * compression)),
+				btMin(tension, btMax(btScalar(0), middle + share * tension))};
+	}
+
+	/// f* at one of a row's bounds.
 	/// \param side  1: the upper one, -1: the lower one
 	btScalar limit(int side, btScalar impulse, const DofState& s, btScalar dt) const
 	{
@@ -194,11 +206,13 @@ private:
 /// \param a  square of frequency times step, k dt^2 A
 inline SoftRow implicitRow(const DofState& s, const MeanForce& mean, btScalar a, btScalar dt)
 {
-	const btScalar alpha = mean.m_alpha, stiffness = (1 + s.m_stiffening) * s.m_stiffness;
+	const btScalar alpha = mean.m_alpha, stiffness = (1 + s.m_stiffening) * s.m_stiffness, c = mean.known(s, dt);
+	const MeanForce::Bounds bounds = mean.bound(c, s.m_yield, s.m_yield, a);
 	SoftRow row;
 	row.m_compliance = 1 / (alpha * stiffness * dt * dt);
-	row.m_velocity = s.m_strain / dt + (mean.known(s, dt) + alpha * s.m_carried) / (alpha * stiffness * dt);
-	mean.bound(s, a, dt, row);
+	row.m_velocity = s.m_strain / dt + (c + alpha * s.m_carried) / (alpha * stiffness * dt);
+	row.m_lower = dt * bounds.m_lower;
+	row.m_upper = dt * bounds.m_upper;
 	return row;
 }
 
