@@ -21,7 +21,7 @@ const char* const COLORS[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f
 							  "#000000", "#8c564b", "#b5bd00", "#9467bd", "#004d40", "#a50026"};
 const int NUM_COLORS = int(sizeof COLORS / sizeof *COLORS);
 
-const double WIDTH = 860, HEIGHT = 420, LEFT = 74, RIGHT = 250, TOP = 44, BOTTOM = 58;
+const double WIDTH = 900, HEIGHT = 420, LEFT = 74, RIGHT = 290, TOP = 44, BOTTOM = 58;
 
 std::string number(double value)
 {
