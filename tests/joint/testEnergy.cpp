@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "BulletDynamics/ConstraintSolver/btElasticPlasticMaterials.h"
+#include "support/DirectSolver.h"
 #include "support/Precision.h"
 #include "support/Run.h"
 #include "world/Place.h"
@@ -294,6 +295,37 @@ TEST(Energy, OfTorsionThatRingsBesideABowIsNotMade)
 				turn = btMax(turn, btFabs(joint->getElasticDeformation(dof)));
 			ASSERT_LT(world.kineticEnergy(), 1.001 * start) << seed << " at step " << i;
 		}
+	}
+}
+
+TEST(Energy, OfTwistBesideBendIsNotMade)
+{
+	// A body swings at the end of an open section, which is weak in torsion. With shears in the middle of the bow, which twist the member without its twist bending it, there
+	// was 1.8 and 2.9 % more energy after two seconds. Steps of 1/3840 s damp next to nothing.
+	btElasticPlasticMaterial material = btElasticPlasticMaterial::steel();
+	material.m_youngsModulus = btScalar(4e10);
+	material.m_yieldStress = btScalar(1e12);
+	material.m_dampingRatio = 0;
+	const btElasticPlasticSection section =
+		btElasticPlasticSection::iSection(btScalar(0.11), btScalar(0.13), btScalar(0.012), btScalar(0.008));
+	for (const double twist : {2., 4.})
+	{
+		World world(withoutInnerSteps(), btVector3(0, 0, 0));
+		btCollisionShape* const cube = world.box(btVector3(1, 1, 1) * btScalar(0.5));
+		btRigidBody* const swinging = world.body(35, cube, at(1), false);
+		const btElasticPlasticJoint* const joint =
+			world.joint(*world.body(0, cube, at(0), false), *swinging, at(0.5),
+						btElasticPlasticCapacity::fromMember(material, section, 1, 1));
+		swinging->setLinearVelocity(btVector3(0, btScalar(0.7), btScalar(-0.9)));
+		swinging->setAngularVelocity(btVector3(btScalar(twist), 0, 0));
+		const double start = world.kineticEnergy();
+		double most = 0;
+		for (int i = 0; i < 120; ++i)
+		{
+			world.step(btScalar(1) / 60, 64);
+			most = std::max(most, world.kineticEnergy() + joint->getElasticEnergy());
+		}
+		EXPECT_LT(most, 1.001 * start) << twist << " rad/s";
 	}
 }
 

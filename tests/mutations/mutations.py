@@ -90,6 +90,7 @@ MUTATIONS = [
     Mutation("a stop's steps one by one", "OpenShare.cpp", "MOST_STEPS_TO_REST = 25", "MOST_STEPS_TO_REST = 2", "InnerSteps.LetA*"),
     Mutation("what is struck goes its straight way", "EarlyContacts.cpp", "ways[held].stay();", ";", "InnerSteps.WhatHas*"),
     Mutation("rows of a blow are by row", "JointStep.cpp", "WELL_RESOLVED = btScalar(0.1)", "WELL_RESOLVED = btScalar(1)", "InnerSteps.LightBlows*"),
+    Mutation("an axial force acts beside the bow", "Kinematics.cpp", "m_bow[0] = z * lengthZ / 6;", "m_bow[0] = 0 * z * lengthZ;", "Kinematics.*"),
     Mutation("fibres of a blow are by row", "FibreStep.cpp", "return motion.m_isOfBlow && m_model.m_areSteady", "return motion.m_isOfBlow && false", "InnerSteps.LightBlowsOnSections*"),
     Mutation("fibres' past is their present", "FibreStep.cpp", "past.m_plane.at(fibre) * fibre.m_stiffness", "0 * past.m_plane.at(fibre) * fibre.m_stiffness", "InnerSteps.LightBlowsOnSections*"),
     Mutation("what is at rest has no past", "JointStep.cpp", "return gone <= SHARE_AT_REST * coming;", "return false;", "JointStep.WhatABlowFinds*"),

@@ -374,11 +374,7 @@ void JointModel::moveReference(const btScalar deformation[BT_EP_DOF_COUNT])
 {
 	// What bows less is longer, and is not to be pressed for it.
 	if (deformation[3] != 0 || deformation[4] != 0 || deformation[5] != 0)
-	{
-		const btVector3 longer = turnReference(deformation);
-		for (int i = 0; i < 3; ++i)
-			m_state.m_initial[i] += longer[i];
-	}
+		m_state.m_initial[BT_EP_AXIAL] += turnReference(deformation);
 	for (int i = 0; i < 3; ++i)
 		m_state.m_initial[i] += deformation[i];
 }
@@ -476,9 +472,8 @@ void JointModel::followBow(const BowedLengths& before)
 	Kinematics pose;
 	if ((now.m_y == before.m_y && now.m_z == before.m_z) || !measureReference(pose))
 		return;
-	const btVector3 added = Kinematics::strainOfBow(pose.m_strain, now.m_y - before.m_y, now.m_z - before.m_z);
-	for (int i = 0; i < 3; ++i)
-		m_state.m_initial[i] += added[i];
+	m_state.m_initial[BT_EP_AXIAL] +=
+		Kinematics::strainOfBow(pose.m_strain, now.m_y - before.m_y, now.m_z - before.m_z);
 }
 
 /// A degree of freedom that becomes stiffer under load keeps its force, and its elastic deformation becomes less. The change of
@@ -829,11 +824,11 @@ void JointModel::followFreeTurn(const Kinematics& before)
 	turnReference(turn);
 }
 
-btVector3 JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
+btScalar JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
 {
 	Kinematics now;
 	if (!measureReference(now))
-		return btVector3(0, 0, 0);
+		return 0;
 	const RelativeRotation rotation = relativeRotation();
 	btScalar turned[BT_EP_DOF_COUNT];
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -843,7 +838,7 @@ btVector3 JointModel::turnReference(const btScalar increment[BT_EP_DOF_COUNT])
 		(exponential(-quatRotate(rotation.m_middle, elastic)) * rotation.m_relative).normalized();
 	m_state.m_plasticMiddle = (rotation.m_middle * exponential(elastic * btScalar(-0.5))).normalized();
 	if (!(m_capacity.m_length > 0))
-		return btVector3(0, 0, 0);
+		return 0;
 	const BowedLengths lengths = bowedLengths();
 	return Kinematics::strainOfBow(turned, lengths.m_y, lengths.m_z) -
 		   Kinematics::strainOfBow(now.m_strain, lengths.m_y, lengths.m_z);

@@ -106,8 +106,8 @@ struct JointModel
 
 	/// Turns the plastic rotation so that the elastic rotation that is measured at the present pose loses the increment.
 	/// \param increment  of all degrees of freedom, of which the rotations are used
-	/// \return by how much the linear strains have grown since the member bows less, see Kinematics::bow() [m]
-	btVector3 turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
+	/// \return by how much the axial strain has grown since the member bows less, see Kinematics::bow() [m]
+	btScalar turnReference(const btScalar increment[BT_EP_DOF_COUNT]);
 
 	/// Has the reference turn with the bodies about what is free. Deformations stay as they are; with the turn among them, springs would
 	/// do more work than they take.

@@ -21,15 +21,6 @@ const btScalar WELL_RESOLVED = btScalar(0.1);
 const btScalar SHARE_AT_REST = btScalar(1e-3);
 }  // namespace
 
-void JointStep::project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const
-{
-	for (int i = 0; i < 3; ++i)
-	{
-		onAxes[i] = m_kinematics.m_axis[i].dot(linear);
-		onAxes[3 + i] = m_kinematics.m_axis[i].dot(angular);
-	}
-}
-
 // ---- pose and step -> rows
 
 int JointStep::prepare(bool knowsFibres)
@@ -73,7 +64,7 @@ void JointStep::takeBackKinematicMotion()
 		angular -= B.getAngularVelocity();
 	}
 	btScalar moved[BT_EP_DOF_COUNT];
-	project(linear, angular, moved);
+	m_kinematics.projectMotion(linear, angular, moved);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		m_kinematics.m_strain[i] += m_dt * moved[i];
 }
@@ -348,7 +339,7 @@ void JointStep::makeFibres(const FibreStep::Motion& motion, const Diagonal& diag
 {
 	const Kinematics& k = m_kinematics;
 	const btVector3& axis = k.m_axis[0];
-	m_fibres.begin(k.m_strain, motion, diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)), m_dt, rows);
+	m_fibres.begin(k.m_strain, motion, diagonal.along(k.armA(0).cross(axis), k.armB(0).cross(axis)), m_dt, rows);
 }
 
 /// Whether the past of what fibres add up to is as of steps of this length.
@@ -401,7 +392,8 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		JointRows::Row& row = rows.m_row[r];
 		row.m_dof = m_row[r].m_dof;
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
-		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.m_rA.cross(axis), k.m_rB.cross(axis)) : diagonal.about(axis);
+		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.armA(row.m_dof).cross(axis), k.armB(row.m_dof).cross(axis))
+									   : diagonal.about(axis);
 		m_row[r].m_isOfWaves = isOfBlow && carriesWaves(r, row.m_diagonal);
 		m_row[r].m_isAtRest = hasOtherPast && isAtRest(r);
 		row.m_bound = m_lastBound[row.m_dof];
@@ -465,7 +457,12 @@ void JointStep::getLoad(btVector3& force, btVector3& torque) const
 {
 	btVector3 sum[2] = {btVector3(0, 0, 0), btVector3(0, 0, 0)};
 	for (int r = 0; r < m_numRows; ++r)
-		sum[m_row[r].m_dof / 3] += m_kinematics.m_axis[m_row[r].m_dof % 3] * m_row[r].m_impulse;
+	{
+		const btVector3 own = m_kinematics.m_axis[m_row[r].m_dof % 3] * m_row[r].m_impulse;
+		sum[m_row[r].m_dof / 3] += own;
+		if (m_row[r].m_dof == BT_EP_AXIAL)
+			sum[1] += m_kinematics.armOfBow().cross(own);
+	}
 	force = sum[0] / m_dt;
 	torque = sum[1] / m_dt;
 }
@@ -494,8 +491,9 @@ void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2
 	m_hasRecovery = true;
 	for (int side = 0; side < 2; ++side)
 		m_recoverySpin[side] = angular[side].length();
-	project(linear[0] + angular[0].cross(m_kinematics.m_rA) - linear[1] - angular[1].cross(m_kinematics.m_rB),
-			angular[0] - angular[1], m_recovery);
+	m_kinematics.projectMotion(
+		linear[0] + angular[0].cross(m_kinematics.m_rA) - linear[1] - angular[1].cross(m_kinematics.m_rB),
+		angular[0] - angular[1], m_recovery);
 }
 
 RowOutcome JointStep::outcomeOf(int r) const
@@ -692,8 +690,9 @@ FibreStep::Outcome JointStep::commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]
 void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 {
 	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
-	project(A.getVelocityInLocalPoint(m_kinematics.m_rA) - B.getVelocityInLocalPoint(m_kinematics.m_rB),
-			A.getAngularVelocity() - B.getAngularVelocity(), onAxes);
+	m_kinematics.projectMotion(
+		A.getVelocityInLocalPoint(m_kinematics.m_rA) - B.getVelocityInLocalPoint(m_kinematics.m_rB),
+		A.getAngularVelocity() - B.getAngularVelocity(), onAxes);
 }
 
 /// J v of all degrees of freedom, and the relative angular velocity, with which the bodies were moved: other actions may have changed
@@ -712,7 +711,7 @@ void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) co
 	{ return moves(body) ? body.getInterpolationLinearVelocity() : still; };
 	const btVector3 wA = spinOf(A), wB = spinOf(B);
 	spin = wA - wB;
-	project(velocityOf(A) + wA.cross(k.m_rA) - velocityOf(B) - wB.cross(k.m_rB), spin, onAxes);
+	k.projectMotion(velocityOf(A) + wA.cross(k.m_rA) - velocityOf(B) - wB.cross(k.m_rB), spin, onAxes);
 }
 
 /// Whether a joint can go on from what the step has left. One of Bullet's own solvers may have made nothing finite of it.
@@ -1013,7 +1012,7 @@ int JointStep::commit(double share, bool isNew)
 	}
 	if (increment[3] != 0 || increment[4] != 0 || increment[5] != 0)
 	{
-		const btScalar longer = m_model.turnReference(increment)[BT_EP_AXIAL];
+		const btScalar longer = m_model.turnReference(increment);
 		// The step has moved bodies as if all of the turn was about the bow, and what the axial spring would gain by the turn nobody has given: those of
 		// a cracked section with a bar on one side would be ten times as fast as they were. Without fibres the axial strain is right however far a hinge
 		// turns, see docs/limits.md.

@@ -199,10 +199,6 @@ public:
 	/// After a change of the capacity.
 	void fitLastBounds() { m_fibres.forgetLastBoundsBeyond(m_model.m_capacity.m_fibres.size()); }
 
-	/// J v of all six degrees of freedom from the relative velocity of A to B at the common point and the relative angular
-	/// velocity, or likewise a force's and a torque's components.
-	void project(const btVector3& linear, const btVector3& angular, btScalar onAxes[BT_EP_DOF_COUNT]) const;
-
 private:
 	struct Row
 	{

@@ -263,7 +263,7 @@ void JointWorks::writeRows(btTypedConstraint::btConstraintInfo2* info, int first
 		btScalar a = 0;
 		if (dof < 3)
 		{
-			const btVector3 momentA = k.m_rA.cross(axis), momentB = axis.cross(k.m_rB);
+			const btVector3 momentA = k.armA(dof).cross(axis), momentB = axis.cross(k.armB(dof));
 			copy(info->m_J1linearAxis + s, axis);
 			copy(info->m_J2linearAxis + s, -axis);
 			copy(info->m_J1angularAxis + s, momentA);

@@ -136,6 +136,7 @@ void Kinematics::evaluate(const btTransform& bodyA, const btTransform& bodyB, co
 			btScalar(double(bodyB.getOrigin()[i]) - double(bodyA.getOrigin()[i]) + (armB.m_world[i] - armA.m_world[i]));
 	m_rA = armA.rounded() + d * btScalar(0.5);
 	m_rB = armB.rounded() - d * btScalar(0.5);
+	m_bow[0] = m_bow[1] = 0;
 
 	for (int i = 0; i < 3; ++i)
 	{
@@ -160,11 +161,29 @@ bool Kinematics::isUsable() const
 void Kinematics::bow(btScalar lengthY, btScalar lengthZ)
 {
 	const btScalar y = m_strain[4], z = m_strain[5];
-	const btVector3 shift = m_axis[1] * (z * lengthZ / 6) - m_axis[2] * (y * lengthY / 6);
-	m_rA += shift;
-	m_rB += shift;
-	const btVector3 added = strainOfBow(m_strain, lengthY, lengthZ);
+	m_bow[0] = z * lengthZ / 6;
+	m_bow[1] = -y * lengthY / 6;
+	m_strain[0] += strainOfBow(m_strain, lengthY, lengthZ);
+}
+
+void Kinematics::projectMotion(const btVector3& linear, const btVector3& angular, btScalar onAxes[6]) const
+{
 	for (int i = 0; i < 3; ++i)
-		m_strain[i] += added[i];
+	{
+		onAxes[i] = m_axis[i].dot(linear);
+		onAxes[3 + i] = m_axis[i].dot(angular);
+	}
+	onAxes[0] += m_bow[1] * onAxes[4] - m_bow[0] * onAxes[5];
+}
+
+void Kinematics::projectLoad(const btVector3& force, const btVector3& torque, btScalar onAxes[6]) const
+{
+	for (int i = 0; i < 3; ++i)
+	{
+		onAxes[i] = m_axis[i].dot(force);
+		onAxes[3 + i] = m_axis[i].dot(torque);
+	}
+	onAxes[4] -= m_bow[1] * onAxes[0];
+	onAxes[5] += m_bow[0] * onAxes[0];
 }
 }  // namespace btElasticPlastic

@@ -89,7 +89,7 @@ void StockFeedback::decode(const btTypedConstraint& constraint, JointStep& step)
 	if (useB)
 		torque += (rA - rB).cross(force);
 	btScalar impulse[BT_EP_DOF_COUNT];
-	step.project(force, torque - rA.cross(force), impulse);
+	step.getKinematics().projectLoad(force, torque - rA.cross(force), impulse);
 	for (int r = 0; r < step.getNumRows(); ++r)
 		step.setImpulse(
 			r, m_dual.size() > 0 ? m_dual[2 * r].dot(force) + m_dual[2 * r + 1].dot(torque) : impulse[step.getDof(r)]);

@@ -205,6 +205,8 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 	const btVector3 velocity[2] = {A.m_linearVelocity + A.m_externalForceImpulse + wA.cross(k.m_rA) -
 									   B.m_linearVelocity - B.m_externalForceImpulse - wB.cross(k.m_rB),
 								   wA - wB};
+	btScalar along[BT_EP_DOF_COUNT];
+	k.projectMotion(velocity[0], velocity[1], along);
 	const double most = joint.m_model.m_constraint.getBreakingImpulseThreshold();
 	Joint entry = {
 		&joint, m_input.getNumRows(), {addBody(solverBodies[0], pools), addBody(solverBodies[1], pools)}, 0, 0, false};
@@ -220,7 +222,7 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 		const JointRows::Row& from = rows.m_row[r];
 		SystemInput::Bounded& row = m_input.m_rows[entry.m_firstRow + r];
 		const double lower = from.m_soft.m_lower, upper = from.m_soft.m_upper;
-		row.m_target = double(from.m_soft.m_velocity) - double(velocity[from.m_dof / 3].dot(k.m_axis[from.m_dof % 3]));
+		row.m_target = double(from.m_soft.m_velocity) - double(along[from.m_dof]);
 		row.m_compliance = btMax(double(from.m_soft.m_compliance), HARD * double(from.m_diagonal));
 		row.m_lower = btMax(lower, -most);
 		row.m_upper = btMin(upper, most);
@@ -230,7 +232,7 @@ void DirectForm::addJoint(JointWorks& joint, const JointRows& rows, const int so
 		entry.m_isCut |= row.m_lower > lower || row.m_upper < upper;
 	}
 	if (rows.m_numFibres > 0)
-		addFibres(rows, velocity, most, entry);
+		addFibres(rows, along, most, entry);
 	if (isUnit)
 	{
 		entry.m_firstDamping = m_input.getNumSingleRows();
@@ -252,22 +254,25 @@ void DirectForm::addUnit(const JointRows& rows, const int bodies[2])
 		unit.m_arm[1][i] = k.m_rB[i];
 	}
 	for (int side = 0; side < 2; ++side)
+	{
 		unit.m_body[side] = bodies[side];
+		unit.m_place[side] = k.m_bow[side];
+	}
 	for (int r = 0; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
 		unit.m_dof[r] = static_cast<signed char>(rows.m_row[r].m_dof);
 	for (int i = 0; i < rows.m_numFibres; ++i)
 	{
 		const JointRows::Fibre& from = rows.m_fibres[i];
-		m_input.m_fibres[size_t(unit.m_firstFibre + i)] = {
-			from.m_y, from.m_z, {double(from.m_coupling[0]), double(from.m_coupling[1])}};
+		m_input.m_fibres[size_t(unit.m_firstFibre + i)] = {unit.m_place[0] + double(from.m_y),
+														   unit.m_place[1] + double(from.m_z),
+														   {double(from.m_coupling[0]), double(from.m_coupling[1])}};
 	}
 }
 
 /// The terms of a joint's fibres, whose rows follow its others.
-void DirectForm::addFibres(const JointRows& rows, const btVector3 velocity[2], double most, Joint& entry)
+void DirectForm::addFibres(const JointRows& rows, const btScalar along[BT_EP_DOF_COUNT], double most, Joint& entry)
 {
-	const btVector3* const axis = rows.m_kinematics.m_axis;
-	const double axial = velocity[0].dot(axis[0]), turnY = velocity[1].dot(axis[1]), turnZ = velocity[1].dot(axis[2]);
+	const double axial = along[BT_EP_AXIAL], turnY = along[BT_EP_BENDING_Y], turnZ = along[BT_EP_BENDING_Z];
 	for (int i = 0; i < rows.m_numFibres; ++i)
 	{
 		const JointRows::Fibre& from = rows.m_fibres[i];
@@ -343,10 +348,11 @@ void DirectForm::addUnitAsSingleRows(const JointRows& rows, const int solverBodi
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		const int dof = rows.m_row[r].m_dof;
-		add(dof < 3 ? k.m_axis[dof] : none, dof < 3 ? none : k.m_axis[dof % 3], none);
+		add(dof < 3 ? k.m_axis[dof] : none, dof < 3 ? none : k.m_axis[dof % 3],
+			dof == BT_EP_AXIAL ? k.armOfBow() : none);
 	}
 	for (int i = 0; i < rows.m_numFibres; ++i)
-		add(k.m_axis[0], none, k.m_axis[1] * rows.m_fibres[i].m_y + k.m_axis[2] * rows.m_fibres[i].m_z);
+		add(k.m_axis[0], none, k.armOfBow() + k.m_axis[1] * rows.m_fibres[i].m_y + k.m_axis[2] * rows.m_fibres[i].m_z);
 }
 
 // ---- Bullet's rows

@@ -78,7 +78,7 @@ private:
 	void addBodies(const SolverPools& pools);
 	int addBody(int solverBody, const SolverPools& pools);
 	void addUnit(const JointRows& rows, const int bodies[2]);
-	void addFibres(const JointRows& rows, const btVector3 velocity[2], double most, Joint& entry);
+	void addFibres(const JointRows& rows, const btScalar along[BT_EP_DOF_COUNT], double most, Joint& entry);
 	void coupleFibres(const JointRows& rows, const Joint& entry);
 	void addDamping(const TensionDamping& damping, const btVector3& spin, const int bodies[2]);
 	btVector3 dampingImpulse(const Joint& joint) const;

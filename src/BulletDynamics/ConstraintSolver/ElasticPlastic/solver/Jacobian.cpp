@@ -61,8 +61,9 @@ void projectUnit(const SystemInput& input, const SystemInput::Unit& unit, const 
 		onAxis[3 + axis] = dot(unit.m_axis[axis], relative[1]);
 	}
 	const int numPlain = unit.getNumPlainRows();
+	const double first = onAxis[0] + unit.m_place[1] * onAxis[4] - unit.m_place[0] * onAxis[5];
 	for (int r = 0; r < numPlain; ++r)
-		along[r] = onAxis[unit.m_dof[r]];
+		along[r] = unit.m_dof[r] == 0 ? first : onAxis[unit.m_dof[r]];
 	for (int i = 0; i < unit.m_numFibres; ++i)
 	{
 		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
@@ -132,6 +133,8 @@ void addImpulses(const SystemInput& input, const double* impulses, std::vector<d
 		double onAxis[6] = {}, sum[2][3] = {}, moment[3];
 		for (int r = 0; r < unit.getNumPlainRows(); ++r)
 			onAxis[unit.m_dof[r]] = impulses[unit.m_firstRow + r];
+		onAxis[4] += unit.m_place[1] * onAxis[0];
+		onAxis[5] -= unit.m_place[0] * onAxis[0];
 		for (int axis = 0; axis < 3; ++axis)
 		{
 			addScaled(onAxis[axis], unit.m_axis[axis], sum[0]);
@@ -182,7 +185,14 @@ void getJacobian(const SystemInput& input, int row, int body[2], double J[12])
 	double onAxis[6] = {};
 	const int r = row - unit.m_firstRow, fibre = r - unit.getNumPlainRows();
 	if (fibre < 0)
+	{
 		onAxis[unit.m_dof[r]] = 1;
+		if (unit.m_dof[r] == 0)
+		{
+			onAxis[4] = unit.m_place[1];
+			onAxis[5] = -unit.m_place[0];
+		}
+	}
 	else
 	{
 		const SystemInput::Fibre& place = input.m_fibres[size_t(unit.m_firstFibre + fibre)];

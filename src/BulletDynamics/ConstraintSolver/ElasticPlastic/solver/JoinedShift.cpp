@@ -98,9 +98,13 @@ void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 	for (int k = 0; k < 3; ++k)
 	{
 		const btVector3& axis = joint.m_kinematics.m_axis[k];
-		const btScalar along = diagonal.along(joint.m_kinematics.m_rA.cross(axis), joint.m_kinematics.m_rB.cross(axis)),
+		const btScalar along = diagonal.along(joint.m_kinematics.armA(k).cross(axis),
+											  joint.m_kinematics.armB(k).cross(axis)),
 					   about = diagonal.about(axis);
-		joint.m_impulse += axis * (time * forceBetween(works.m_model, k, along, time));
+		const btVector3 impulse = axis * (time * forceBetween(works.m_model, k, along, time));
+		joint.m_impulse += impulse;
+		if (k == BT_EP_AXIAL)
+			joint.m_twist += joint.m_kinematics.armOfBow().cross(impulse);
 		joint.m_twist += axis * (time * forceBetween(works.m_model, 3 + k, about, time));
 	}
 	for (int side = 0; side < 2; ++side)

@@ -51,11 +51,13 @@ struct SystemInput
 		signed char m_bound = 0;  ///< -1 at the lower, 1 at the upper bound, 0 between
 	};
 
-	/// Rows along and about three axes through a point: J = [a, rA x a, -a, -rB x a] and [0, a, 0, -a]. Those of its fibres come last.
+	/// Rows along and about three axes through a point: J = [a, rA x a, -a, -rB x a] and [0, a, 0, -a], but for the first one along, which is at a place as a fibre is.
+	/// Those of its fibres come last.
 	struct Unit
 	{
 		double m_axis[3][3];  ///< a, at a right angle to each other, unit length
 		double m_arm[2][3];   ///< rA, rB: from the bodies' centres of mass to the point
+		double m_place[2];    ///< of the first row, y and z
 		int m_body[2];        ///< by index, -1: one that does not move
 		int m_firstRow;       ///< of m_rows
 		int m_numRows;

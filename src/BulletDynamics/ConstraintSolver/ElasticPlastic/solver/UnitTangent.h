@@ -108,6 +108,8 @@ bool addUnitTangent(const Tangents& tangents, const SystemInput& input, const Sy
 		isMixed = true;
 	}
 	FibreTangent fibres;
+	fibres.add(weights[0], unit.m_place[0], unit.m_place[1]);
+	weights[0] = 0;
 	for (int i = 0; i < unit.m_numFibres; ++i)
 	{
 		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
