@@ -454,7 +454,9 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	Past past = {};
 	if (m_areOfWaves)
 		past = pastOf(scheme);
-	m_known.resize(n);
+	const bool isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
+	if (isCoupled)
+		m_known.resize(n);
 	const bool damps = !m_damping.isNone();
 	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha, stiffening = m_damping.getStiffening(),
 				   perStiffness = perTime / (alpha * (1 + stiffening));
@@ -478,7 +480,8 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		const btScalar known = m_areOfWaves ? knownByMode(i, past, s.m_force, strength) : scheme.known(s, dt),
 					   inverse = perStiffness / s.m_stiffness;
 		const MeanForce::Bounds bounds = scheme.bound(known, strength.m_tension, strength.m_compression, a);
-		m_known[i] = known;
+		if (isCoupled)
+			m_known[i] = known;
 		// As implicitRow(), with two bounds.
 		JointRows::Fibre& row = to[i];
 		const bool holds = !state.isRuptured();
@@ -492,7 +495,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		row.m_bound = before[i].m_bound;
 	}
 	rows.m_numFibres = n;
-	if (m_shearRow[0] >= 0 || m_shearRow[1] >= 0)
+	if (isCoupled)
 		couple(strain, scheme, a, rows);
 	// Bending may be much more mobile than what is pulled.
 	rows.m_fibreDiagonal = diagonal;

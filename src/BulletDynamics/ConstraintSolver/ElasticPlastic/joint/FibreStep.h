@@ -214,7 +214,7 @@ private:
 	btAlignedObjectArray<Damped> m_damped;
 	btScalar m_dt = 0;
 	bool m_areOfWaves = false;               ///< by mode, see the class
-	btAlignedObjectArray<btScalar> m_known;  ///< c of Law.h
+	btAlignedObjectArray<btScalar> m_known;  ///< c of Law.h, of fibres that are coupled with shears
 	int m_shearRow[2] = {-1, -1};            ///< of the joint's rows that are coupled with the fibres, -1: none
 	int m_numFibres = 0;
 	btAlignedObjectArray<Strength> m_strength;  ///< for the step; not made of fibres that are steady until one flows

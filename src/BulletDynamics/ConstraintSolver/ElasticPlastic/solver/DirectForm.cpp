@@ -253,11 +253,10 @@ void DirectForm::addUnit(const JointRows& rows, const int bodies[2])
 		unit.m_arm[0][i] = k.m_rA[i];
 		unit.m_arm[1][i] = k.m_rB[i];
 	}
+	unit.m_place[0] = k.m_bow[0];
+	unit.m_place[1] = k.m_bow[1];
 	for (int side = 0; side < 2; ++side)
-	{
 		unit.m_body[side] = bodies[side];
-		unit.m_place[side] = k.m_bow[side];
-	}
 	for (int r = 0; r < rows.m_numRows && r < BT_EP_DOF_COUNT; ++r)
 		unit.m_dof[r] = static_cast<signed char>(rows.m_row[r].m_dof);
 	for (int i = 0; i < rows.m_numFibres; ++i)

@@ -184,21 +184,13 @@ void getJacobian(const SystemInput& input, int row, int body[2], double J[12])
 	// Along the unit's three axes, and about them.
 	double onAxis[6] = {};
 	const int r = row - unit.m_firstRow, fibre = r - unit.getNumPlainRows();
-	if (fibre < 0)
+	const int dof = fibre < 0 ? unit.m_dof[r] : 0;
+	onAxis[dof] = 1;
+	if (dof == 0)
 	{
-		onAxis[unit.m_dof[r]] = 1;
-		if (unit.m_dof[r] == 0)
-		{
-			onAxis[4] = unit.m_place[1];
-			onAxis[5] = -unit.m_place[0];
-		}
-	}
-	else
-	{
-		const SystemInput::Fibre& place = input.m_fibres[size_t(unit.m_firstFibre + fibre)];
-		onAxis[0] = 1;
-		onAxis[4] = place.m_z;
-		onAxis[5] = -place.m_y;
+		const SystemInput::Fibre* const own = fibre < 0 ? nullptr : &input.m_fibres[size_t(unit.m_firstFibre + fibre)];
+		onAxis[4] = own ? own->m_z : unit.m_place[1];
+		onAxis[5] = -(own ? own->m_y : unit.m_place[0]);
 	}
 	double along[3] = {}, about[3] = {}, moment[3];
 	for (int axis = 0; axis < 3; ++axis)
