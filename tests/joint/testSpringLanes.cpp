@@ -58,7 +58,10 @@ struct AnyJoint
 	}
 	btScalar power(btScalar a, btScalar b) { return btScalar(std::pow(10., double(between(a, b)))); }
 
-	SpringLanes lanes() const { return SpringLanes(m_capacity, m_state, m_damping, m_strain.m_at); }
+	SpringLanes lanes() const
+	{
+		return SpringLanes(m_capacity, m_state, m_damping, m_strain.m_at, m_capacity.m_yield, true);
+	}
 
 	DofState dofState(int dof) const
 	{

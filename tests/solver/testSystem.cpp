@@ -43,16 +43,17 @@ void coupleFibres(SystemInput& input, SystemInput::Unit& unit, const double shar
 {
 	const bool hasBoth = unit.m_body[1] % 3 != 0;
 	unit.m_bundle = int(input.m_bundles.size());
-	input.m_bundles.push_back({unit.m_body[1], {unit.m_firstRow, hasBoth ? unit.m_firstRow + 1 : -1}});
+	input.m_bundles.push_back(
+		{unit.m_body[1], {unit.m_firstRow, hasBoth ? unit.m_firstRow + 1 : -1}, int(input.m_couplings.size())});
 	for (int s = 0; s < (hasBoth ? 2 : 1); ++s)
 		input.m_rows[size_t(unit.m_firstRow + s)].m_partner = SystemInput::Bounded::SHEAR_OF_BUNDLE;
 	for (int i = 0; i < unit.m_numFibres; ++i)
 	{
 		SystemInput::Bounded& row = input.m_rows[size_t(unit.getFirstFibreRow() + i)];
 		row.m_partner = SystemInput::Bounded::FIBRE_OF_BUNDLE;
-		SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
+		input.m_couplings.push_back({{0, 0}});
 		for (int s = 0; s < 2; ++s)
-			fibre.m_coupling[s] =
+			input.m_couplings.back().m_shear[s] =
 				(i % 2 ? 0.7 : -0.5) * share[s] *
 				std::sqrt(row.m_compliance * input.m_rows[size_t(unit.m_firstRow + s)].m_compliance / unit.m_numFibres);
 	}
@@ -94,7 +95,7 @@ SystemInput randomChain(int numBodies, double tightness, unsigned seed, Kind kin
 		for (int r = 0; r < numRows; ++r)
 			unit.m_dof[r] = static_cast<signed char>(hasFibres ? 1 + r : (r + b) % 6);
 		for (int i = 0; i < numFibres; ++i)
-			input.m_fibres[size_t(unit.m_firstFibre + i)] = {between(-1, 1), between(-1, 1), {0, 0}};
+			input.m_fibres[size_t(unit.m_firstFibre + i)] = {between(-1, 1), between(-1, 1)};
 	}
 	// A single row joins the chain's ends, or two of them.
 	for (int i = 0; i < (isCoupled ? 2 : 1); ++i)
@@ -230,7 +231,7 @@ double coupled(const SystemInput& input, size_t i, const Row& impulses)
 			const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
 			for (int f = 0; f < unit.m_numFibres && bundle.m_shearRow[s] >= 0; ++f)
 			{
-				const double coupling = input.m_fibres[size_t(unit.m_firstFibre + f)].m_coupling[s];
+				const double coupling = input.m_couplings[size_t(bundle.m_firstCoupling + f)].m_shear[s];
 				if (int(i) == bundle.m_shearRow[s])
 					sum += coupling * impulses[size_t(unit.getFirstFibreRow() + f)];
 				if (int(i) == unit.getFirstFibreRow() + f)

@@ -59,30 +59,23 @@ void prefetchAll(const btAlignedObjectArray<T>& array)
 
 void FibreStep::prefetch() const
 {
-	btElasticPlastic::prefetch(this, this + 1);
+	btElasticPlastic::prefetch(this, m_interaction.getEndWithoutShear());
 	prefetchAll(m_model.m_bearing);
 	prefetchAll(m_model.m_state.m_fibres);
 }
 
-/// Without a yield value: a fibre has two. \param damped  null: none
-DofState FibreStep::stateOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
-							const Damped* damped, btScalar stiffening, const SectionPlaneOf<btScalar>& plane)
+/// Without a yield value: a fibre has two.
+inline DofState FibreStep::stateOf(int i, const SectionPlaneOf<btScalar>& plane) const
 {
+	const JointModel::BearingFibre& fibre = m_model.m_bearing[i];
+	const btElasticPlasticFibreState& state = m_model.m_state.m_fibres[i];
 	DofState s = {fibre.m_stiffness, 0, plane.at(fibre) - state.m_offset, state.m_force, state.m_forceRate, {}};
-	if (damped)
-	{
-		s.m_stiffening = stiffening;
-		s.m_force += damped->m_force;
-		s.m_carried = damped->m_carried;
-	}
+	if (!m_damping.isNone())
+		m_branches.addTo(s, fibre, bore(i));
 	return s;
 }
 
-DofState FibreStep::stateOf(int i, const btScalar strain[BT_EP_DOF_COUNT]) const
-{
-	return stateOf(m_model.m_bearing[i], m_model.m_state.m_fibres[i], m_damping.isNone() ? nullptr : &m_damped[i],
-				   m_damping.getStiffening(), planeOf(strain));
-}
+DofState FibreStep::stateOf(int i, const btScalar strain[BT_EP_DOF_COUNT]) const { return stateOf(i, planeOf(strain)); }
 
 DofState FibreStep::stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const
 {
@@ -114,31 +107,26 @@ inline FibreStep::Strength FibreStep::steadyStrength(int i, const JointModel::Be
 /// The branches of all fibres together have three forces each; a fibre has of them what its elongation in the plane gives it.
 void FibreStep::findBranches()
 {
+	m_boreAll = m_model.doAllBear();
+	if (!m_boreAll)
+	{
+		m_bore.resize(m_numFibres);
+		for (int i = 0; i < m_numFibres; ++i)
+			m_bore[i] = m_model.bears(i);
+		m_partCompliance = m_model.bearingCompliance();
+	}
 	if (m_damping.isNone())
 		return;
-	const int n = m_model.m_bearing.size();
-	if (n == 0)
-		return;
-	m_damped.resize(n);
-	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
-	const btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
-	Damped* const damped = &m_damped[0];
-	m_compliance = m_model.bearingCompliance([damped](int i, bool bears) { damped[i].m_bore = bears; });
 	SectionPlane sum, kept;
 	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
 	{
-		m_branch[b] = m_compliance.of(m_model.branchForces(b));
+		m_branch[b] = compliance().of(m_model.branchForces(b));
 		sum.add(1, m_branch[b]);
 		kept.add(double(m_damping.getKept(b)), m_branch[b]);
 	}
-	const SectionPlaneOf<btScalar> ofForce = sum.rounded(), ofCarried = kept.rounded();
-	const btScalar stiffening = m_damping.getStiffening();
-	for (int i = 0; i < n; ++i)
-	{
-		const btScalar stiffness = damped[i].m_bore ? fibres[i].m_stiffness : btScalar(0);
-		damped[i].m_force = ofForce.at(fibres[i]) * stiffness;
-		damped[i].m_carried = ofCarried.at(fibres[i]) * stiffness - stiffening * states[i].m_force;
-	}
+	m_branches.m_stiffening = m_damping.getStiffening();
+	m_branches.m_force = sum.rounded();
+	m_branches.m_carried = kept.rounded();
 }
 
 /// Compliance between a fibre and a shear: that between the shear and the bending in its plane, at the fibre's place.
@@ -431,13 +419,30 @@ btScalar FibreStep::knownByMode(int i, const Past& past, btScalar force,
 	return btMax(-past.m_own * strength.m_compression, btMin(past.m_own * strength.m_tension, known));
 }
 
+namespace
+{
+/// As implicitRow() of Law.h, without the bounds, of which a fibre has two.
+/// \param known    of its mean force, with what the damping's branches carry
+/// \param inverse  of stiffness, alpha and step
+inline void setRow(JointRows::Fibre& row, const JointModel::BearingFibre& fibre, const DofState& s, btScalar known,
+				   btScalar inverse, btScalar perTime)
+{
+	row.m_soft.m_compliance = inverse * perTime;
+	row.m_soft.m_velocity = s.m_strain * perTime + known * inverse;
+	row.m_y = fibre.m_y;
+	row.m_z = fibre.m_z;
+	row.m_coupling[0] = row.m_coupling[1] = 0;
+	row.m_bound = 0;
+}
+}  // namespace
+
 void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& motion, btScalar diagonal, btScalar dt,
 					  JointRows& rows)
 {
 	const int n = m_model.m_bearing.size();
 	m_dt = dt;
 	m_numFibres = n;
-	m_solution.resize(n, {0, 0});
+	m_bound.resize(n, 0);
 	if (rows.m_fibres.size() < n)
 		rows.m_fibres.resize(n);
 	if (!m_model.m_areSteady)
@@ -457,21 +462,20 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	const bool isCoupled = m_shearRow[0] >= 0 || m_shearRow[1] >= 0;
 	if (isCoupled)
 		m_known.resize(n);
-	const bool damps = !m_damping.isNone();
-	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha, stiffening = m_damping.getStiffening(),
-				   perStiffness = perTime / (alpha * (1 + stiffening));
+	const btScalar perTime = 1 / dt, alpha = scheme.m_alpha,
+				   perStiffness = perTime / (alpha * (1 + m_damping.getStiffening()));
 	const JointModel::BearingFibre* const fibres = n > 0 ? &m_model.m_bearing[0] : nullptr;
 	const btElasticPlasticFibreState* const states = n > 0 ? &m_model.m_state.m_fibres[0] : nullptr;
-	const Damped* const allDamped = damps && n > 0 ? &m_damped[0] : nullptr;
-	const Solution* const before = n > 0 ? &m_solution[0] : nullptr;
 	JointRows::Fibre* const to = n > 0 ? &rows.m_fibres[0] : nullptr;
 	const SectionPlaneOf<btScalar> plane = planeOf(strain);
-	const bool areSteady = m_model.m_areSteady;
-	for (int i = 0; i < n; ++i)
+	const bool areSteady = m_model.m_areSteady, isPlain = areAlike() && !isCoupled && !m_areOfWaves;
+	if (isPlain)
+		beginElastic(plane, scheme, perStiffness, rows);
+	for (int i = 0; i < n && !isPlain; ++i)
 	{
 		const JointModel::BearingFibre& fibre = fibres[i];
 		const btElasticPlasticFibreState& state = states[i];
-		const DofState s = stateOf(fibre, state, damps ? allDamped + i : nullptr, stiffening, plane);
+		const DofState s = stateOf(i, plane);
 		// With a state of its own: what a function gets by address does not stay in registers, and most fibres are steady.
 		const Strength strength =
 			areSteady ? steadyStrength(i, fibre, state) : strengthInStep(i, stateOf(i, strain), motion, alpha);
@@ -482,18 +486,13 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		const MeanForce::Bounds bounds = scheme.bound(known, strength.m_tension, strength.m_compression, a);
 		if (isCoupled)
 			m_known[i] = known;
-		// As implicitRow(), with two bounds.
-		JointRows::Fibre& row = to[i];
+		setRow(to[i], fibre, s, known + alpha * s.m_carried, inverse, perTime);
 		const bool holds = !state.isRuptured();
-		row.m_soft.m_compliance = inverse * perTime;
-		row.m_soft.m_velocity = s.m_strain * perTime + (known + alpha * s.m_carried) * inverse;
-		row.m_soft.m_lower = holds ? dt * bounds.m_lower : btScalar(0);
-		row.m_soft.m_upper = holds ? dt * bounds.m_upper : btScalar(0);
-		row.m_y = fibre.m_y;
-		row.m_z = fibre.m_z;
-		row.m_coupling[0] = row.m_coupling[1] = 0;
-		row.m_bound = before[i].m_bound;
+		to[i].m_soft.m_lower = holds ? dt * bounds.m_lower : btScalar(0);
+		to[i].m_soft.m_upper = holds ? dt * bounds.m_upper : btScalar(0);
 	}
+	for (int i = 0; i < n && m_isAnyAtBound; ++i)
+		to[i].m_bound = m_bound[i];
 	rows.m_numFibres = n;
 	if (isCoupled)
 		couple(strain, scheme, a, rows);
@@ -503,6 +502,33 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		rows.m_fibreDiagonal += m_model.m_reach[k] * m_model.m_reach[k] * motion.m_turn[k];
 	for (int shear = 0; shear < 2; ++shear)
 		rows.m_coupledShear[shear] = m_shearRow[shear];
+}
+
+/// As begin() makes them, the rows of fibres that are alike, which most of them are.
+void FibreStep::beginElastic(const SectionPlaneOf<btScalar>& plane, const MeanForce& scheme, btScalar perStiffness,
+							 JointRows& rows) const
+{
+	const bool damps = !m_damping.isNone();
+	const btScalar dt = m_dt, perTime = 1 / dt, alpha = scheme.m_alpha;
+	const MeanForce mean = scheme;
+	const Branches branches = m_branches;
+	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
+	const btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
+	JointRows::Fibre* const to = &rows.m_fibres[0];
+	for (int i = 0, n = m_numFibres; i < n; ++i)
+	{
+		const JointModel::BearingFibre& fibre = fibres[i];
+		const btElasticPlasticFibreState& state = states[i];
+		DofState s = {fibre.m_stiffness, 0, plane.at(fibre) - state.m_offset, state.m_force, state.m_forceRate, {}};
+		if (damps)
+			branches.addTo(s, fibre, true);
+		const btScalar known = mean.known(s, dt), inverse = perStiffness / s.m_stiffness;
+		const MeanForce::Bounds bounds =
+			mean.bound(known, state.m_isCracked ? btScalar(0) : fibre.m_tension, fibre.m_compression, 0);
+		setRow(to[i], fibre, s, known + alpha * s.m_carried, inverse, perTime);
+		to[i].m_soft.m_lower = dt * bounds.m_lower;
+		to[i].m_soft.m_upper = dt * bounds.m_upper;
+	}
 }
 
 /// As coupledRows() of Law.h, for all fibres and both shears.
@@ -527,17 +553,25 @@ void FibreStep::couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& 
 	}
 }
 
-void FibreStep::setSolution(const double* impulses, const signed char* bounds, btScalar resultant[3])
+void FibreStep::setSolution(const double* impulses, const signed char* bounds, bool isCut, btScalar resultant[3])
 {
-	SectionForces sum;
+	SectionSum sums;
 	const int n = m_numFibres;
 	const JointModel::BearingFibre* const fibres = n > 0 ? &m_model.m_bearing[0] : nullptr;
-	Solution* const solution = n > 0 ? &m_solution[0] : nullptr;
 	for (int i = 0; i < n; ++i)
+		sums.add(fibres[i], impulses[i]);
+	const SectionForces sum = sums.get();
+	bool isAny = false;
+	for (int i = 0; i < n && bounds; ++i)
+		isAny |= bounds[i] != 0;
+	for (int i = 0; i < n && (isAny || m_isAnyAtBound); ++i)
+		m_bound[i] = isAny ? bounds[i] : static_cast<signed char>(0);
+	m_isAnyAtBound = isAny;
+	if (isCut)
 	{
-		solution[i].m_impulse = btScalar(impulses[i]);
-		solution[i].m_bound = bounds ? bounds[i] : static_cast<signed char>(0);
-		sum.add(fibres[i], impulses[i]);
+		m_impulse.resize(n);
+		for (int i = 0; i < n; ++i)
+			m_impulse[i] = btScalar(impulses[i]);
 	}
 	resultant[0] = btScalar(sum.m_axial);
 	resultant[1] = btScalar(sum.m_momentY);
@@ -547,16 +581,20 @@ void FibreStep::setSolution(const double* impulses, const signed char* bounds, b
 std::vector<signed char> FibreStep::getLastBounds() const
 {
 	std::vector<signed char> bounds;
-	for (int i = 0; i < m_solution.size(); ++i)
-		bounds.push_back(m_solution[i].m_bound);
+	for (int i = 0; i < m_bound.size(); ++i)
+		bounds.push_back(m_bound[i]);
 	return bounds;
 }
 
 void FibreStep::setLastBounds(const std::vector<signed char>& bounds)
 {
-	m_solution.resize(0);
+	m_bound.resize(0);
+	m_isAnyAtBound = false;
 	for (const signed char bound : bounds)
-		m_solution.push_back({0, bound});
+	{
+		m_bound.push_back(bound);
+		m_isAnyAtBound |= bound != 0;
+	}
 }
 
 // ---- return mapping
@@ -567,24 +605,31 @@ void FibreStep::setLastBounds(const std::vector<signed char>& bounds)
 bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome)
 {
 	const int n = m_numFibres;
-	if (n == 0)
+	if (n == 0 || !m_boreAll)
 		return false;
-	const bool damps = !m_damping.isNone(), areSteady = m_model.m_areSteady;
-	const SectionPlaneOf<btScalar> plane = planeOf(trial);
-	const btScalar stiffer = 1 + m_damping.getStiffening();
+	const bool damps = !m_damping.isNone(), areSteady = m_model.m_areSteady, alike = areAlike();
+	const SectionPlaneOf<btScalar> plane = planeOf(trial), carried = m_branches.m_carried;
+	const btScalar stiffening = m_branches.m_stiffening, stiffer = 1 + stiffening;
 	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
 	btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
-	const Damped* const damped = damps ? &m_damped[0] : nullptr;
-	for (int i = 0; i < n; ++i)
+	bool areBelow = true;
+	for (int i = 0; i < n && areBelow; ++i)
 	{
-		const btScalar spring = (plane.at(fibres[i]) - states[i].m_offset) * fibres[i].m_stiffness,
-					   total = damps ? stiffer * spring + damped[i].m_carried : spring;
-		const Strength strength = areSteady ? steadyStrength(i, fibres[i], states[i]) : m_strength[i];
-		if (states[i].isRuptured() || !(total <= strength.m_tension) || !(total >= -strength.m_compression) ||
-			(damps && !damped[i].m_bore) || (!(spring < 0) && !(strength.m_tension > 0)))
-			return false;
+		const JointModel::BearingFibre& fibre = fibres[i];
+		const btElasticPlasticFibreState& state = states[i];
+		const btScalar spring = (plane.at(fibre) - state.m_offset) * fibre.m_stiffness,
+					   total = damps ? stiffer * spring +
+										   (carried.at(fibre) * fibre.m_stiffness - stiffening * state.m_force)
+									 : spring;
+		JointModel::FibreStrength strength = {state.m_isCracked ? btScalar(0) : fibre.m_tension, fibre.m_compression};
+		if (!alike)
+			strength = areSteady ? steadyStrength(i, fibre, state) : m_strength[i];
+		areBelow = (total <= strength.m_tension) & (total >= -strength.m_compression) &
+				   ((spring < 0) | (strength.m_tension > 0)) & !state.isRuptured();
 	}
-	SectionForces sum, change;
+	if (!areBelow)
+		return false;
+	SectionSum sums, changes;
 	const btScalar perTime = 1 / m_dt;
 	for (int i = 0; i < n; ++i)
 	{
@@ -596,14 +641,15 @@ bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outc
 		state.m_rateShare = areSteady ? btScalar(0) : m_strength[i].m_rateShare;
 		state.m_forceRate = grown * perTime;
 		state.m_force = btScalar(force);
-		sum.add(fibres[i], force);
-		change.add(fibres[i], double(grown));
+		sums.add(fibres[i], force);
+		changes.add(fibres[i], double(grown));
 	}
+	const SectionForces sum = sums.get();
 	outcome.m_force[0] = btScalar(sum.m_axial);
 	outcome.m_force[1] = btScalar(sum.m_momentY);
 	outcome.m_force[2] = btScalar(sum.m_momentZ);
 	if (damps)
-		dampTogether(change, outcome);
+		dampTogether(changes.get(), outcome);
 	return true;
 }
 
@@ -615,7 +661,7 @@ void FibreStep::mapAlone(const btScalar trial[BT_EP_DOF_COUNT])
 		const DofState s = stateOf(i, trial);
 		const double elongation = s.m_strain, stiffer = 1 + double(s.m_stiffening), carried = s.m_carried,
 					 force = stiffer * (elongation * double(fibre.m_stiffness)) + carried;
-		const int bound = m_solution[i].m_bound;
+		const int bound = m_bound[i];
 		const double clamped =
 			btMax(-double(m_strength[i].m_compression), btMin(double(m_strength[i].m_tension), force));
 		const bool flows = clamped != force && (force > 0 ? bound > 0 : bound < 0);
@@ -642,7 +688,7 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 		spring.m_upper = holds ? double(m_strength[i].m_tension) : 0;
 		const DofState state = stateOf(i, trial);
 		spring.m_target = stiffer * double(state.m_strain) + double(state.m_carried) * spring.m_compliance;
-		spring.m_bound = m_solution[i].m_bound;
+		spring.m_bound = m_bound[i];
 		for (int s = 0; s < 2; ++s)
 		{
 			spring.m_coupling[s] = couplingOf(i, s);
@@ -671,7 +717,7 @@ void FibreStep::mapCoupled(const btScalar trial[BT_EP_DOF_COUNT], const RowOutco
 	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const CoupledBundle::Fibre& spring = m_bundle.m_fibres[size_t(i)];
-		const int bound = m_solution[i].m_bound;
+		const int bound = m_bound[i];
 		const DofState state = stateOf(i, trial);
 		const double force = (spring.m_force - double(state.m_carried)) / stiffer,
 					 elastic = force * spring.m_compliance + spring.m_coupling[0] * shear[0] +
@@ -705,8 +751,7 @@ void FibreStep::mapCut(const btScalar trial[BT_EP_DOF_COUNT], const RowOutcome* 
 	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const DofState state = stateOf(i, trial);
-		const btScalar total = btMax(-m_strength[i].m_compression,
-									 btMin(m_strength[i].m_tension, btScalar(m_solution[i].m_impulse) / m_dt));
+		const btScalar total = btMax(-m_strength[i].m_compression, btMin(m_strength[i].m_tension, m_impulse[i] / m_dt));
 		const double force = double(state.springForce(total));
 		const btElasticPlasticFibre& fibre = m_model.m_capacity.m_fibres[i];
 		double beyond = double(state.m_strain) - force / double(fibre.m_stiffness);
@@ -843,7 +888,7 @@ void FibreStep::noteLoss(int i, double share)
 void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome)
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
-	double sum[3] = {};
+	SectionSum sums;
 	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
@@ -872,12 +917,12 @@ void FibreStep::takeStates(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outco
 		m_mapped[i].m_change = btScalar(force) - state.m_force;
 		state.m_forceRate = holds ? m_mapped[i].m_change / m_dt : btScalar(0);
 		state.m_force = btScalar(force);
-		sum[0] += force;
-		sum[1] += double(fibre.m_z) * force;
-		sum[2] -= double(fibre.m_y) * force;
+		sums.add(fibre, force);
 	}
-	for (int k = 0; k < 3; ++k)
-		outcome.m_force[k] = btScalar(sum[k]);
+	const SectionForces sum = sums.get();
+	outcome.m_force[0] = btScalar(sum.m_axial);
+	outcome.m_force[1] = btScalar(sum.m_momentY);
+	outcome.m_force[2] = btScalar(sum.m_momentZ);
 }
 
 /// Ends the step of the branches by which the material damps.
@@ -888,14 +933,14 @@ void FibreStep::damp(Outcome& outcome)
 	{
 		const Mapped& mapped = m_mapped[i];
 		const bool bears = m_model.bears(i), stays = mapped.m_increment == 0 && mapped.m_unloaded == 0;
-		isElastic = bears == m_damped[i].m_bore && (stays || !bears);
+		isElastic = bears == bore(i) && (stays || !bears);
 	}
 	if (!isElastic)
 		return dampEach(outcome);
-	SectionForces change;
+	SectionSum change;
 	for (int i = 0; i < m_numFibres; ++i)
 		change.add(m_model.m_capacity.m_fibres[i], double(m_mapped[i].m_change));
-	dampTogether(change, outcome);
+	dampTogether(change.get(), outcome);
 }
 
 /// Where forces have changed as in an elastic section, and so have those of the branches.
@@ -903,7 +948,7 @@ void FibreStep::damp(Outcome& outcome)
 void FibreStep::dampTogether(const SectionForces& change, Outcome& outcome)
 {
 	SectionPlane grown;
-	const SectionPlane changed = m_compliance.of(change);
+	const SectionPlane changed = compliance().of(change);
 	for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
 	{
 		const SectionForces before = m_model.branchForces(b);
@@ -923,9 +968,8 @@ void FibreStep::dampTogether(const SectionForces& change, Outcome& outcome)
 	const btScalar perTime = 1 / m_dt;
 	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
 	btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
-	const Damped* const damped = &m_damped[0];
 	for (int i = 0, n = m_numFibres; i < n; ++i)
-		if (damped[i].m_bore)
+		if (bore(i))
 			states[i].m_forceRate += ofRate.at(fibres[i]) * fibres[i].m_stiffness * perTime;
 }
 
@@ -940,7 +984,7 @@ void FibreStep::dampEach(Outcome& outcome)
 		btScalar grown = 0;
 		for (int b = 0; b < MaterialDamping::BRANCHES; ++b)
 		{
-			const btScalar before = m_damped[i].m_bore ? btScalar(m_branch[b].at(fibre) * stiffness) : btScalar(0),
+			const btScalar before = bore(i) ? btScalar(m_branch[b].at(fibre) * stiffness) : btScalar(0),
 						   after = bears ? m_damping.next(b, before, m_mapped[i].m_change) : btScalar(0);
 			const double q0 = before, q1 = after;
 			outcome.m_squares[b] += bears ? (q0 * q0 + q0 * q1 + q1 * q1) / stiffness : 0;
@@ -990,7 +1034,7 @@ void FibreStep::takeMean(btScalar mean[3])
 {
 	const btElasticPlasticCapacity& capacity = m_model.m_capacity;
 	SectionStiffness section;
-	SectionForces sum;
+	SectionSum sum;
 	for (int i = 0; i < m_numFibres; ++i)
 	{
 		const btElasticPlasticFibre& fibre = capacity.m_fibres[i];
@@ -1001,7 +1045,7 @@ void FibreStep::takeMean(btScalar mean[3])
 		section.add(fibre, weight);
 		sum.add(fibre, weight * offset);
 	}
-	const SectionPlane plane = section.invert().of(sum);
+	const SectionPlane plane = section.invert().of(sum.get());
 	for (int i = 0; i < m_numFibres; ++i)
 		m_model.m_state.m_fibres[i].m_offset -= btScalar(plane.at(capacity.m_fibres[i]));
 	mean[0] = btScalar(plane.m_elongation);

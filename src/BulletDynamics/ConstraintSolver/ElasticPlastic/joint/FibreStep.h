@@ -70,8 +70,10 @@ public:
 	void begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& motion, btScalar diagonal, btScalar dt,
 			   JointRows& rows);
 
-	/// What the solver has made of the fibres' rows. \param resultant  gets N, M_y and M_z over the step, as impulses
-	void setSolution(const double* impulses, const signed char* bounds, btScalar resultant[3]);
+	/// What the solver has made of the fibres' rows.
+	/// \param isCut      as commit() is going to be told
+	/// \param resultant  gets N, M_y and M_z over the step, as impulses
+	void setSolution(const double* impulses, const signed char* bounds, bool isCut, btScalar resultant[3]);
 
 	/// Return mapping of the step, of the section as a whole.
 	struct Outcome
@@ -112,13 +114,7 @@ public:
 	bool isCoupled(int row) const { return row == m_shearRow[0] || row == m_shearRow[1]; }
 
 	/// Whether a fibre is at a bound of its impulse.
-	bool isAnyAtBound() const
-	{
-		for (int i = 0; i < m_solution.size(); ++i)
-			if (m_solution[i].m_bound != 0)
-				return true;
-		return false;
-	}
+	bool isAnyAtBound() const { return m_isAnyAtBound; }
 
 	/// By fibre: -1, 0 or 1. The next step's search for the fibres at their bounds begins with them.
 	std::vector<signed char> getLastBounds() const;
@@ -126,22 +122,27 @@ public:
 	/// Of fibres that there are no more.
 	void forgetLastBoundsBeyond(int numFibres)
 	{
-		if (m_solution.size() > numFibres)
-			m_solution.resize(numFibres);
+		if (m_bound.size() <= numFibres)
+			return;
+		m_bound.resize(numFibres);
+		m_isAnyAtBound = m_bound.findLinearSearch(-1) < numFibres || m_bound.findLinearSearch(1) < numFibres;
 	}
 
 private:
-	struct Solution
+	/// Of which fibres have their shares of all the damping's branches at the start of the step.
+	struct Branches
 	{
-		btScalar m_impulse;
-		signed char m_bound;
-	};
-	/// A fibre's share of all the damping's branches at the start of the step.
-	struct Damped
-	{
-		btScalar m_force;
-		btScalar m_carried;  ///< see DofState
-		bool m_bore;         ///< see JointModel::bears()
+		btScalar m_stiffening = 0;  ///< see DofState
+		SectionPlaneOf<btScalar> m_force, m_carried;
+
+		/// Adds a fibre's share. \param bore  see JointModel::bears()
+		void addTo(DofState& s, const JointModel::BearingFibre& fibre, bool bore) const
+		{
+			const btScalar stiffness = bore ? fibre.m_stiffness : btScalar(0);
+			s.m_stiffening = m_stiffening;
+			s.m_carried = m_carried.at(fibre) * stiffness - m_stiffening * s.m_force;
+			s.m_force += m_force.at(fibre) * stiffness;
+		}
 	};
 	struct Mapped
 	{
@@ -159,16 +160,22 @@ private:
 		SectionPlaneOf<btScalar> m_plane;
 	};
 
-	static DofState stateOf(const JointModel::BearingFibre& fibre, const btElasticPlasticFibreState& state,
-							const Damped* damped, btScalar stiffening, const SectionPlaneOf<btScalar>& plane);
+	/// Whether a fibre bore at the start of the step, see JointModel::bears().
+	bool bore(int fibre) const { return m_boreAll || m_bore[fibre]; }
+	/// Whether all bore and have the strength that they had when they were new, but for cracks.
+	bool areAlike() const { return m_boreAll && m_model.m_areSteady && !m_interaction.isAny(); }
+	DofState stateOf(int fibre, const SectionPlaneOf<btScalar>& plane) const;
 	DofState stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	DofState stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	double couplingOf(int fibre, int shear) const;
 	void findCoupledRows(const JointRows& rows);
 	void findBranches();
+	const SectionCompliance& compliance() const { return m_boreAll ? m_model.getWholeCompliance() : m_partCompliance; }
 	bool carriesWaves(const Motion& motion) const;
 	Past pastOf(const MeanForce& scheme) const;
 	btScalar knownByMode(int fibre, const Past& past, btScalar force, const JointModel::FibreStrength& strength) const;
+	void beginElastic(const SectionPlaneOf<btScalar>& plane, const MeanForce& scheme, btScalar perStiffness,
+					  JointRows& rows) const;
 	void couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a, JointRows& rows);
 	bool takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
@@ -207,23 +214,29 @@ private:
 	void noteLoss(int fibre, double share);
 	void takeMean(btScalar mean[3]);
 
+	// What an elastic step asks for, close together.
 	JointModel& m_model;
 	const MaterialDamping& m_damping;
-	SectionCompliance m_compliance;                    ///< of what bears at the start of the step
-	SectionPlane m_branch[MaterialDamping::BRANCHES];  ///< in which the damping's branches have their forces then
-	btAlignedObjectArray<Damped> m_damped;
+	const btScalar (&m_yield)[BT_EP_DOF_COUNT];
 	btScalar m_dt = 0;
-	bool m_areOfWaves = false;               ///< by mode, see the class
-	btAlignedObjectArray<btScalar> m_known;  ///< c of Law.h, of fibres that are coupled with shears
-	int m_shearRow[2] = {-1, -1};            ///< of the joint's rows that are coupled with the fibres, -1: none
 	int m_numFibres = 0;
+	int m_shearRow[2] = {-1, -1};  ///< of the joint's rows that are coupled with the fibres, -1: none
+	bool m_areOfWaves = false;     ///< by mode, see the class
+	bool m_boreAll = true;         ///< see bore()
+	Branches m_branches;           ///< the damping's
+	SectionPlane m_branch[MaterialDamping::BRANCHES];  ///< of each of them, with more digits
+	bool m_isAnyAtBound = false;                       ///< of m_bound
+	btAlignedObjectArray<signed char> m_bound;         ///< of the last solution
+	ShearInteraction m_interaction;                    ///< begins with such things, too
+	// The rest is for others.
+	btAlignedObjectArray<bool> m_bore;          ///< see bore()
+	SectionCompliance m_partCompliance;         ///< of what bore, if not all did
+	btAlignedObjectArray<btScalar> m_impulse;   ///< of a search that has been cut
+	btAlignedObjectArray<btScalar> m_known;     ///< c of Law.h, of fibres that are coupled with shears
 	btAlignedObjectArray<Strength> m_strength;  ///< for the step; not made of fibres that are steady until one flows
 	double m_response[3];                       ///< of elongation and turns to strength, see findResponse()
-	btAlignedObjectArray<Solution> m_solution;
 	btAlignedObjectArray<Mapped> m_mapped;
 	CoupledBundle m_bundle;
-	ShearInteraction m_interaction;
-	const btScalar (&m_yield)[BT_EP_DOF_COUNT];
 	btAlignedObjectArray<Loss> m_losses;
 };
 }  // namespace btElasticPlastic

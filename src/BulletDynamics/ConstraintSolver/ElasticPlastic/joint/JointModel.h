@@ -231,24 +231,18 @@ struct JointModel
 		return !state.isRuptured() && !(state.m_force >= 0 && bearsPressureOnly(fibre));
 	}
 
-	/// Of the fibres that bear. \param tell  function of a fibre and of whether it does
-	template <class Tell>
-	SectionCompliance bearingCompliance(const Tell& tell) const
+	bool doAllBear() const
 	{
-		const int n = m_state.m_fibres.size();
 		bool doAll = true;
-		for (int i = 0; i < n; ++i)
-		{
-			const bool does = bears(i);
-			doAll &= does;
-			tell(i, does);
-		}
-		return doAll ? m_wholeCompliance : partCompliance();
+		for (int i = 0, n = m_state.m_fibres.size(); i < n; ++i)
+			doAll &= bears(i);
+		return doAll;
 	}
-	SectionCompliance bearingCompliance() const
-	{
-		return bearingCompliance([](int, bool) {});
-	}
+
+	/// Of the fibres that bear.
+	SectionCompliance bearingCompliance() const { return doAllBear() ? m_wholeCompliance : partCompliance(); }
+	/// While all do.
+	const SectionCompliance& getWholeCompliance() const { return m_wholeCompliance; }
 
 	/// What one of the damping's branches adds to the section.
 	SectionForces branchForces(int branch) const
@@ -267,7 +261,7 @@ struct JointModel
 	void wearFibres(btScalar damage);
 
 private:
-	SectionCompliance m_wholeCompliance;  ///< while all fibres bear
+	SectionCompliance m_wholeCompliance;  ///< see getWholeCompliance()
 	SectionCompliance partCompliance() const;
 
 	RelativeRotation relativeRotation() const;

@@ -413,7 +413,7 @@ void JointRegistry::commitJoints(const btDynamicsWorld& world)
 		if (i + PREFETCH_AHEAD < m_joints.getEnd() && !m_joints[i + PREFETCH_AHEAD].m_isDormant)
 			m_joints[i + PREFETCH_AHEAD].m_joint->prefetch();
 		if (i + 1 < m_joints.getEnd() && !m_joints[i + 1].m_isDormant)
-			m_joints[i + 1].m_joint->prefetchFibres();
+			m_joints[i + 1].m_joint->prefetchParts();
 		if (m_joints[i].m_isDormant)
 			continue;
 		JointWorks& joint = *m_joints[i].m_joint;

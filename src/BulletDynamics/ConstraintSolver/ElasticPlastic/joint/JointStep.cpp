@@ -276,27 +276,37 @@ void JointStep::makeRows(btScalar erp, JointRows& rows)
 /// Whether all rows may be those of springs by row, and so be computed side by side.
 bool JointStep::areAlike() const
 {
-	return m_model.isElasticPlasticThroughout() && m_numRows == BT_EP_DOF_COUNT && !m_usesFibres &&
-		   !m_model.m_isPaper && !m_model.m_isByMode && !(m_model.m_capacity.m_friction > 0) &&
-		   SpringLanes::areSprings(m_model.m_capacity);
+	return m_model.isElasticPlasticThroughout() && m_numRows == BT_EP_DOF_COUNT && !m_model.m_isPaper &&
+		   (m_usesFibres || !m_model.m_isByMode) && SpringLanes::areSprings(m_model.m_capacity);
+}
+
+/// What fibres add up to is among them, and nobody asks for it: it never yields.
+SpringLanes JointStep::findSprings() const
+{
+	if (!m_usesFibres)
+		return SpringLanes(m_model.m_capacity, m_model.m_state, m_damping, m_kinematics.m_strain, m_yield, true);
+	btScalar yield[BT_EP_DOF_COUNT];
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		yield[i] = btElasticPlasticCapacity::isOfFibres(i) ? btScalar(BT_LARGE_FLOAT) : yieldOf(i);
+	return SpringLanes(m_model.m_capacity, m_model.m_state, m_damping, m_kinematics.m_strain, yield, false);
 }
 
 /// As couple() and makeRow() do it for rows one by one.
 void JointStep::makeRowsAlike(btScalar erp, JointRows& rows)
 {
 	m_erp = erp;
-	const SpringLanes springs(m_model.m_capacity, m_model.m_state, m_damping, m_kinematics.m_strain);
+	const SpringLanes springs = findSprings();
 	Lanes diagonal;
 	int rowOf[BT_EP_DOF_COUNT];
 	diagonal.fill(1);
-	for (int r = 0; r < BT_EP_DOF_COUNT; ++r)
+	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		rowOf[m_row[r].m_dof] = r;
 		diagonal[m_row[r].m_dof] = rows.m_row[r].m_diagonal;
 	}
 	SpringLanes::Rows made;
 	springs.makeRows(diagonal, m_dt, m_model.m_state.m_lastStep, made);
-	for (int r = 0; r < BT_EP_DOF_COUNT; ++r)
+	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		Row& row = m_row[r];
 		SoftRow& soft = rows.m_row[r].m_soft;
@@ -475,7 +485,7 @@ void JointStep::setSolution(const double* impulses, const signed char* bounds)
 	if (!m_usesFibres)
 		return;
 	btScalar resultant[3];
-	m_fibres.setSolution(impulses + numPlain, bounds ? bounds + numPlain : nullptr, resultant);
+	m_fibres.setSolution(impulses + numPlain, bounds ? bounds + numPlain : nullptr, m_isCut, resultant);
 	for (int k = 0; k < 3; ++k)
 		setImpulse(numPlain + k, resultant[k], 0);
 }
@@ -483,7 +493,7 @@ void JointStep::setSolution(const double* impulses, const signed char* bounds)
 void JointStep::setFibres(const double* impulses, const signed char* bounds)
 {
 	btScalar resultant[3];
-	m_fibres.setSolution(impulses, bounds, resultant);
+	m_fibres.setSolution(impulses, bounds, false, resultant);
 }
 
 void JointStep::setRecovery(const btVector3 linear[2], const btVector3 angular[2])
@@ -548,10 +558,9 @@ bool JointStep::mapAlike(const btScalar velocity1[BT_EP_DOF_COUNT], ReturnMappin
 	velocity.load(velocity1);
 	for (int i = 0; i < Lanes::COUNT; ++i)
 		trial[i] -= m_dt * velocity[i];
-	const SpringLanes springs(m_model.m_capacity, m_model.m_state, m_damping, m_kinematics.m_strain);
-	if (!springs.mapElastic(trial, force))
+	if (!findSprings().mapElastic(trial, force))
 		return false;
-	for (int r = 0; r < BT_EP_DOF_COUNT; ++r)
+	for (int r = 0, numPlain = getNumPlainRows(); r < numPlain; ++r)
 		mapped[r] = {force[m_row[r].m_dof], 0};
 	return true;
 }

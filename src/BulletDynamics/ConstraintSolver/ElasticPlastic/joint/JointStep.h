@@ -229,6 +229,7 @@ private:
 	bool carriesWaves(int r, btScalar diagonal) const;
 	bool isAtRest(int r) const;
 	bool areAlike() const;
+	SpringLanes findSprings() const;
 	void makeRows(btScalar erp, JointRows& rows);
 	void makeRowsAlike(btScalar erp, JointRows& rows);
 	void mapRows(bool isCut, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;

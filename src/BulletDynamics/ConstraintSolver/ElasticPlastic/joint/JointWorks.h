@@ -61,11 +61,14 @@ public:
 		btElasticPlastic::prefetch(constraint, reinterpret_cast<const char*>(constraint + 1) + 2 * sizeof(btTransform));
 	}
 
-	/// The same of its fibres, which tell where they are once the joint itself has been loaded.
-	void prefetchFibres() const
+	/// The same of its fibres and its bodies, which tell where they are once the joint itself has been loaded. Rows of a wall follow each other after so many
+	/// joints that their bodies have left the cache.
+	void prefetchParts() const
 	{
 		if (m_model.m_bearing.size() > 0)
 			m_step.getFibres().prefetch();
+		btElasticPlastic::prefetch(&m_model.m_bodyA, &m_model.m_bodyA + 1);
+		btElasticPlastic::prefetch(&m_model.m_bodyB, &m_model.m_bodyB + 1);
 	}
 
 	/// Finds the works of a constraint without run-time type information. \return null if it is not elastic-plastic

@@ -18,8 +18,10 @@ SectionCompliance SectionStiffness::invert() const
 	if (!(m_axial > 0))
 		return c;
 	// About the middle of stiffness.
-	const double z = m_mixed[0] / m_axial, y = -m_mixed[1] / m_axial, zz = m_turns[0] - m_axial * z * z,
-				 yy = m_turns[1] - m_axial * y * y, zy = -m_mixed[2] - m_axial * z * y;
+	const double z = cancelledProduct(m_mixed[0], m_axial, m_turns[0]) / m_axial,
+				 y = -cancelledProduct(m_mixed[1], m_axial, m_turns[1]) / m_axial, zz = m_turns[0] - m_axial * z * z,
+				 yy = m_turns[1] - m_axial * y * y,
+				 zy = -cancelledProduct(m_mixed[2], m_turns[0], m_turns[1]) - m_axial * z * y;
 	const bool turnsY = zz > LEAST_REST * m_turns[0];
 	const double rest = yy - (turnsY ? zy * zy / zz : 0);
 	const bool turnsZ = rest > LEAST_REST * m_turns[1];

@@ -4,7 +4,10 @@
 #ifndef BT_ELASTIC_PLASTIC_SECTION_STIFFNESS_H
 #define BT_ELASTIC_PLASTIC_SECTION_STIFFNESS_H
 
+#include <math.h>
+
 #include "../../btElasticPlasticFibre.h"
+#include "../linear/Cancelled.h"
 
 namespace btElasticPlastic
 {
@@ -56,6 +59,31 @@ struct SectionForces
 	{
 		return m_axial * plane.m_elongation + m_momentY * plane.m_turnY + m_momentZ * plane.m_turnZ;
 	}
+};
+
+/// The same, summed up fibre by fibre. What these have on both sides of an axis cancels.
+class SectionSum
+{
+public:
+	template <class Fibre>
+	void add(const Fibre& fibre, double force)
+	{
+		m_sum.add(fibre, force);
+		m_sizes.m_axial += fabs(force);
+		m_sizes.m_momentY += fabs(double(fibre.m_z) * force);
+		m_sizes.m_momentZ += fabs(double(fibre.m_y) * force);
+	}
+	SectionForces get() const
+	{
+		SectionForces sum;
+		sum.m_axial = cancelled(m_sum.m_axial, m_sizes.m_axial);
+		sum.m_momentY = cancelled(m_sum.m_momentY, m_sizes.m_momentY);
+		sum.m_momentZ = cancelled(m_sum.m_momentZ, m_sizes.m_momentZ);
+		return sum;
+	}
+
+private:
+	SectionForces m_sum, m_sizes;
 };
 
 /// The plane that belongs to forces.

@@ -506,11 +506,14 @@ void ShearInteraction::find(const JointModel& model, const btScalar stepYield[BT
 		for (int b = 0; b < btElasticPlasticState::BRANCHES && yield > 0; ++b)
 			force[k] += double(model.m_state.m_branch[b][dof]);
 		load += yield > 0 ? fabs(force[k]) / (k == 0 && weakness > 0 ? weakness * yield : yield) : 0;
-		m_alone[k] = yield;
 		if (k == 3 && !(load > LEAST_SHEAR))
 			return;
 	}
-	if (!(load > LEAST_LOAD) || !collect(model))
+	if (!(load > LEAST_LOAD))
+		return;
+	for (int k = 3; k < 6; ++k)
+		m_alone[k] = yieldOf(k);
+	if (!collect(model))
 		return;
 	for (int k = 0; k < 6; ++k)
 	{

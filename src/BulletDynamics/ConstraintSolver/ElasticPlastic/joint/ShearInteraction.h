@@ -80,6 +80,9 @@ public:
 		return dof >= BT_EP_SHEAR_Y && dof <= BT_EP_TORSION ? m_share[dof - BT_EP_SHEAR_Y] : btScalar(1);
 	}
 
+	/// What a step uses where nothing is taken ends here.
+	const void* getEndWithoutShear() const { return &m_alone; }
+
 	/// Takes from a fibre's strength what is not left of it.
 	void lessen(int fibre, JointModel::FibreStrength& strength) const
 	{
@@ -117,18 +120,20 @@ private:
 	void follow(const JointModel& model, const double q[6], double amount);
 	static Left leftAboutMiddle(btScalar left, const JointModel::FibreStrength& strength);
 
-	std::vector<Fibre> m_fibres;
-	double m_alone[6];  ///< what the section bears of N, M_y, M_z, V_y, V_z, T by itself, about the middle [N], [N m]
-	/// Of shears and torsion, over what each could be by itself: above 1 where another one lets it, as of angles with unequal legs, or pressure does.
-	double m_mostShare[3];
-	double m_middle[3];                     ///< N, M_y, M_z in the middle of fibres of unequal strengths
-	bool m_isUneven = false;                ///< fibres that bear shear have unequal strengths
-	bool m_mayWarp = false;                 ///< they may slip unevenly by a warping
-	Matrix m_matrix;                        ///< of the last search, of shears and torsion, inverted
-	double m_warping[3];                    ///< by slips and the twist, in that search
-	double m_most = 0;                      ///< sum of w n with which it was made
+	// What all steps ask for, close together.
 	btAlignedObjectArray<btScalar> m_left;  ///< none: all of it
 	btScalar m_share[3] = {1, 1, 1};
+	// The rest.
+	double m_alone[6];  ///< what the section bears of N, M_y, M_z, V_y, V_z, T by itself, about the middle [N], [N m]
+	std::vector<Fibre> m_fibres;
+	/// Of shears and torsion, over what each could be by itself: above 1 where another one lets it, as of angles with unequal legs, or pressure does.
+	double m_mostShare[3];
+	double m_middle[3];       ///< N, M_y, M_z in the middle of fibres of unequal strengths
+	bool m_isUneven = false;  ///< fibres that bear shear have unequal strengths
+	bool m_mayWarp = false;   ///< they may slip unevenly by a warping
+	Matrix m_matrix;          ///< of the last search, of shears and torsion, inverted
+	double m_warping[3];      ///< by slips and the twist, in that search
+	double m_most = 0;        ///< sum of w n with which it was made
 };
 }  // namespace btElasticPlastic
 

@@ -27,11 +27,12 @@ bool SpringLanes::areSprings(const btElasticPlasticCapacity& capacity)
 }
 
 SpringLanes::SpringLanes(const btElasticPlasticCapacity& capacity, const btElasticPlasticState& state,
-						 const MaterialDamping& damping, const btScalar strain[BT_EP_DOF_COUNT])
+						 const MaterialDamping& damping, const btScalar strain[BT_EP_DOF_COUNT],
+						 const btScalar yield[BT_EP_DOF_COUNT], bool areCoupled)
 	: m_stiffening(damping.isNone() ? btScalar(0) : damping.getStiffening())
 {
 	m_stiffness.load(capacity.m_stiffness);
-	m_yield.load(capacity.m_yield);
+	m_yield.load(yield);
 	m_strain.load(strain);
 	m_force.load(state.m_force);
 	m_forceRate.load(state.m_forceRate);
@@ -54,8 +55,9 @@ SpringLanes::SpringLanes(const btElasticPlasticCapacity& capacity, const btElast
 		}
 	}
 	for (int pair = 0; pair < 2; ++pair)
-		m_coupling[pair] =
-			capacity.m_coupling[pair] != 0 ? capacity.couplingCompliance(BT_EP_SHEAR_Y + pair) : btScalar(0);
+		m_coupling[pair] = areCoupled && capacity.m_coupling[pair] != 0
+							   ? capacity.couplingCompliance(BT_EP_SHEAR_Y + pair)
+							   : btScalar(0);
 }
 
 inline DofState SpringLanes::at(int i) const

@@ -30,9 +30,12 @@ public:
 	static bool areSprings(const btElasticPlasticCapacity& capacity);
 
 	/// The springs at the start of a step.
-	/// \param strain  measured, by degree of freedom
+	/// \param strain      measured, by degree of freedom
+	/// \param yield       values in the step
+	/// \param areCoupled  whether shears are coupled with bendings as the capacity says
 	SpringLanes(const btElasticPlasticCapacity& capacity, const btElasticPlasticState& state,
-				const MaterialDamping& damping, const btScalar strain[BT_EP_DOF_COUNT]);
+				const MaterialDamping& damping, const btScalar strain[BT_EP_DOF_COUNT],
+				const btScalar yield[BT_EP_DOF_COUNT], bool areCoupled);
 
 	/// \param diagonal  A = J M^-1 J^T, by degree of freedom
 	void makeRows(const Lanes& diagonal, btScalar dt, btScalar lastStep, Rows& rows) const;

@@ -205,7 +205,7 @@ public:
 		const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
 		for (int i = 0; i < unit.m_numFibres; ++i)
 			matrix.subtract(getTangent(input, unit.getFirstFibreRow() + i),
-							input.m_fibres[size_t(unit.m_firstFibre + i)].m_coupling);
+							input.m_couplings[size_t(bundle.m_firstCoupling + i)].m_shear);
 		return matrix.inverse(isFree[0], isFree[1]);
 	}
 
@@ -325,7 +325,7 @@ private:
 			CoupledBundle::Fibre& fibre = m_bundle.m_fibres[size_t(i)];
 			read(unit.getFirstFibreRow() + i, fibre);
 			for (int s = 0; s < 2; ++s)
-				fibre.m_coupling[s] = input.m_fibres[size_t(unit.m_firstFibre + i)].m_coupling[s];
+				fibre.m_coupling[s] = input.m_couplings[size_t(bundle.m_firstCoupling + i)].m_shear[s];
 		}
 		for (int s = 0; s < 2; ++s)
 			if (bundle.m_shearRow[s] >= 0)

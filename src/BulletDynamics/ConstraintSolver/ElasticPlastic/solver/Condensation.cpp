@@ -165,6 +165,9 @@ void Condensation::split(const SystemInput& input)
 			bundle.m_unit = int(to.m_units.size()) - 1;
 			for (int& row : bundle.m_shearRow)
 				row += row >= 0 ? firstRow - from.m_firstRow : 0;
+			for (int i = 0; i < from.m_numFibres; ++i)
+				to.m_couplings.push_back(input.m_couplings[size_t(bundle.m_firstCoupling + i)]);
+			bundle.m_firstCoupling = int(to.m_couplings.size()) - from.m_numFibres;
 			unit.m_bundle = int(to.m_bundles.size());
 			to.m_bundles.push_back(bundle);
 		}

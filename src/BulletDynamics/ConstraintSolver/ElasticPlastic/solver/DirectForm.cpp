@@ -3,12 +3,14 @@
 
 #include "DirectForm.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "../joint/BodyGate.h"
+#include "../linear/Cancelled.h"
 #include "Jacobian.h"
 
 namespace btElasticPlastic
@@ -263,8 +265,7 @@ void DirectForm::addUnit(const JointRows& rows, const int bodies[2])
 	{
 		const JointRows::Fibre& from = rows.m_fibres[i];
 		m_input.m_fibres[size_t(unit.m_firstFibre + i)] = {unit.m_place[0] + double(from.m_y),
-														   unit.m_place[1] + double(from.m_z),
-														   {double(from.m_coupling[0]), double(from.m_coupling[1])}};
+														   unit.m_place[1] + double(from.m_z)};
 	}
 }
 
@@ -293,9 +294,13 @@ void DirectForm::addFibres(const JointRows& rows, const btScalar along[BT_EP_DOF
 void DirectForm::coupleFibres(const JointRows& rows, const Joint& entry)
 {
 	SystemInput::Unit& unit = m_input.m_units.back();
-	SystemInput::Bundle bundle = {int(m_input.m_units.size()) - 1, {-1, -1}};
+	SystemInput::Bundle bundle = {int(m_input.m_units.size()) - 1, {-1, -1}, int(m_input.m_couplings.size())};
 	for (int i = 0; i < unit.m_numFibres; ++i)
+	{
 		m_input.m_rows[size_t(unit.getFirstFibreRow() + i)].m_partner = SystemInput::Bounded::FIBRE_OF_BUNDLE;
+		const btScalar* const coupling = rows.m_fibres[i].m_coupling;
+		m_input.m_couplings.push_back({{double(coupling[0]), double(coupling[1])}});
+	}
 	for (int s = 0; s < 2; ++s)
 		if (rows.m_coupledShear[s] >= 0)
 		{
@@ -723,18 +728,23 @@ void DirectForm::takeOthers(const SolverPools& pools)
 	}
 }
 
-/// Gives bodies the system's change of velocity, beside what swept rows have given.
+/// Gives bodies the system's change of velocity, beside what swept rows have given. What stands in a plane stays there: out of it there is rounding.
 void DirectForm::writeVelocities(const SolverPools& pools)
 {
+	double fastest[2] = {};  // along and about an axis
+	for (int b = 0; b < m_solverBodies.size(); ++b)
+		for (int i = 0; i < 6; ++i)
+			fastest[i / 3] = std::max(fastest[i / 3], std::fabs(m_system.getVelocityChange(b)[i]));
 	for (int b = 0; b < m_solverBodies.size(); ++b)
 	{
 		btSolverBody& body = pools.m_bodies[m_solverBodies[b]];
 		const btVector3 &linearFactor = body.m_originalBody->getLinearFactor(),
 						&angularFactor = body.m_originalBody->getAngularFactor();
 		btVector3 &linear = body.internalGetDeltaLinearVelocity(), &angular = body.internalGetDeltaAngularVelocity();
-		const double *const own = m_system.getVelocityChange(b), *const others = m_byOthers.empty()
-																					 ? nullptr
-																					 : &m_byOthers[size_t(6 * b)];
+		double own[6];
+		for (int i = 0; i < 6; ++i)
+			own[i] = cancelled(m_system.getVelocityChange(b)[i], fastest[i / 3]);
+		const double* const others = m_byOthers.empty() ? nullptr : &m_byOthers[size_t(6 * b)];
 		for (int i = 0; i < 3; ++i)
 		{
 			linear[i] = linearFactor[i] == 0 ? btScalar(0) : btScalar(own[i] + (others ? others[i] : 0));
@@ -822,7 +832,7 @@ void DirectForm::finish(bool isFree)
 			m_joints[j + PREFETCH_AHEAD].m_works->prefetch();
 		const Joint& joint = m_joints[j];
 		if (j + 1 < m_joints.size())
-			m_joints[j + 1].m_works->prefetchFibres();
+			m_joints[j + 1].m_works->prefetchParts();
 		joint.m_works->m_step.setFree(isFree);
 		if (m_recovery.hasMotion())
 			giveRecovery(joint);

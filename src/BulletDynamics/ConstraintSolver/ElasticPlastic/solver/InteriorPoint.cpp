@@ -73,7 +73,7 @@ void InteriorPoint::forEachFibre(const SystemInput& input, const SystemInput::Bu
 {
 	const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
 	for (int i = 0; i < unit.m_numFibres; ++i)
-		f(size_t(unit.getFirstFibreRow() + i), input.m_fibres[size_t(unit.m_firstFibre + i)].m_coupling);
+		f(size_t(unit.getFirstFibreRow() + i), input.m_couplings[size_t(bundle.m_firstCoupling + i)].m_shear);
 }
 
 /// to += factor times what the partners' impulses add to C lambda.

@@ -144,7 +144,7 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 				JointWorks::prefetch(constraints[i + PREFETCH_AHEAD]);
 			m_island.prefetchJointAfter(i);
 			if (i + 1 < numConstraints && m_island.m_joints[i + 1])
-				m_island.m_joints[i + 1]->prefetchFibres();
+				m_island.m_joints[i + 1]->prefetchParts();
 			JointWorks* const joint = constraints[i]->isEnabled() ? m_island.m_joints[i] : nullptr;
 			if (joint && joint->beginAlone())
 				addToDirect(*joint, info);

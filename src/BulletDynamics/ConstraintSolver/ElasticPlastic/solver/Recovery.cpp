@@ -170,8 +170,11 @@ void Recovery::stiffen(const System& system, SystemInput& input)
 			else if (row.m_partner >= 0)
 				m_share[r] = m_share[size_t(row.m_partner)] = std::min(m_share[r], m_share[size_t(row.m_partner)]);
 		}
+		if (unit.m_bundle < 0)
+			continue;
+		const int first = input.m_bundles[size_t(unit.m_bundle)].m_firstCoupling;
 		for (int i = 0; i < unit.m_numFibres; ++i)
-			for (double& coupling : input.m_fibres[size_t(unit.m_firstFibre + i)].m_coupling)
+			for (double& coupling : input.m_couplings[size_t(first + i)].m_shear)
 				coupling *= least;
 	}
 	std::vector<double> targets;
@@ -193,7 +196,7 @@ void Recovery::stiffen(const System& system, SystemInput& input)
 			for (int i = 0; bundle.m_shearRow[s] >= 0 && i < unit.m_numFibres; ++i)
 			{
 				const size_t fibre = size_t(unit.getFirstFibreRow() + i), shear = size_t(bundle.m_shearRow[s]);
-				const double coupling = input.m_fibres[size_t(unit.m_firstFibre + i)].m_coupling[s];
+				const double coupling = input.m_couplings[size_t(bundle.m_firstCoupling + i)].m_shear[s];
 				targets[fibre] += coupling * m_first.m_impulses[shear];
 				targets[shear] += coupling * m_first.m_impulses[fibre];
 			}

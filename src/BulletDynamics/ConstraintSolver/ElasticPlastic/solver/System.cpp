@@ -429,7 +429,9 @@ bool System::search(SystemInput& input, Effort effort)
 	};
 	if (isLarge(input))
 	{
-		m_rowsBefore = input.m_rows;
+		m_singleRowsBefore.resize(input.m_singleRows.size());
+		for (size_t i = 0; i < m_singleRowsBefore.size(); ++i)
+			m_singleRowsBefore[i] = input.m_rows[size_t(input.m_singleRows[i].m_row)];
 		m_admissible.getResult(m_before.m_impulses, m_before.m_bounds);
 	}
 	m_contacts.begin(input, m_admissible);
@@ -540,7 +542,8 @@ System::Found System::searchInside(SystemInput& input, Effort effort)
 	// As before the search: the bounds at which rows outside stay, and contacts without multipliers.
 	SystemResult held = m_before;
 	m_admissible.setResult(held.m_impulses, held.m_bounds);
-	input.m_rows = m_rowsBefore;
+	for (size_t i = 0; i < m_singleRowsBefore.size(); ++i)
+		input.m_rows[size_t(input.m_singleRows[i].m_row)] = m_singleRowsBefore[i];
 	// What is eliminated outside is as large.
 	m_matrixIsCurrent = false;
 	m_matrix.lendBuffers();

@@ -169,7 +169,7 @@ private:
 	std::unique_ptr<Place> m_place;
 	std::vector<double> m_impulsesBefore;  // of the last solution of the same problem, empty: there is none
 	SystemResult m_before;                 // a large problem's rows' impulses and bounds before the search
-	std::vector<SystemInput::Bounded> m_rowsBefore;
+	std::vector<SystemInput::Bounded> m_singleRowsBefore;
 	bool m_insideHasSolved = false, m_isCut = false;
 	bool m_expectsPlaces = false;  // of the problem that is being solved
 	int m_searchedInside = 0;      // the island of the last problem, if it was searched in places

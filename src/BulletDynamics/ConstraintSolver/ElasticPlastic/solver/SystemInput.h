@@ -75,14 +75,20 @@ struct SystemInput
 	struct Fibre
 	{
 		double m_y, m_z;
-		double m_coupling[2];  ///< with the shears of its bundle, see CoupledBundle
 	};
 
 	/// Fibres of a unit whose compliance is coupled with that of its two shears.
 	struct Bundle
 	{
 		int m_unit;
-		int m_shearRow[2];  ///< of m_rows, -1: there is none
+		int m_shearRow[2];    ///< of m_rows, -1: there is none
+		int m_firstCoupling;  ///< of m_couplings, as many as the unit has fibres
+	};
+
+	/// Of a fibre in a bundle with each of the two shears, see CoupledBundle.
+	struct Coupling
+	{
+		double m_shear[2];
 	};
 
 	struct SingleRow
@@ -126,8 +132,9 @@ struct SystemInput
 	std::vector<SingleRow> m_singleRows;
 	std::vector<Fibre> m_fibres;    ///< of units, in their order
 	std::vector<Bundle> m_bundles;  ///< the same
-	std::vector<Bounded> m_rows;    ///< of units and single rows, in the order in which they were added
-	std::vector<Guess> m_guess;     ///< of the same
+	std::vector<Coupling> m_couplings;
+	std::vector<Bounded> m_rows;  ///< of units and single rows, in the order in which they were added
+	std::vector<Guess> m_guess;   ///< of the same
 	Condensed m_condensed;
 
 	void clear();
@@ -156,7 +163,8 @@ inline double SystemInput::getCouplingEnergy(const Bundle& bundle, const std::ve
 	double energy = 0;
 	for (int s = 0; s < 2; ++s)
 		for (int i = 0; bundle.m_shearRow[s] >= 0 && i < unit.m_numFibres; ++i)
-			energy += impulses[size_t(bundle.m_shearRow[s])] * m_fibres[size_t(unit.m_firstFibre + i)].m_coupling[s] *
+			energy += impulses[size_t(bundle.m_shearRow[s])] *
+					  m_couplings[size_t(bundle.m_firstCoupling + i)].m_shear[s] *
 					  impulses[size_t(unit.getFirstFibreRow() + i)];
 	return energy;
 }
@@ -168,6 +176,7 @@ inline void SystemInput::clear()
 	m_singleRows.clear();
 	m_fibres.clear();
 	m_bundles.clear();
+	m_couplings.clear();
 	m_rows.clear();
 	m_guess.clear();
 	m_condensed.clear();

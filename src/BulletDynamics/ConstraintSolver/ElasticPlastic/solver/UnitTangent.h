@@ -5,6 +5,7 @@
 #define BT_ELASTIC_PLASTIC_UNIT_TANGENT_H
 
 #include "../joint/CoupledBundle.h"
+#include "../linear/Cancelled.h"
 #include "SystemInput.h"
 
 namespace btElasticPlastic
@@ -45,6 +46,14 @@ struct FibreTangent
 		m_turns[1] += byZ * -y;
 		m_turns[2] += byY * -y;
 	}
+
+	/// Takes out what is rounding where fibres are on both sides of an axis.
+	void cancel()
+	{
+		m_mixed[0] = cancelledProduct(m_mixed[0], m_axial, m_turns[0]);
+		m_mixed[1] = cancelledProduct(m_mixed[1], m_axial, m_turns[2]);
+		m_turns[1] = cancelledProduct(m_turns[1], m_turns[0], m_turns[2]);
+	}
 };
 
 /// Where fibres are coupled with the shears, with the inverse P that CoupledBundle::Matrix gives, their tangent is Q P Q^T more, with a column
@@ -55,13 +64,15 @@ void addBundleTangent(const Tangents& tangents, const SystemInput& input, const 
 {
 	// Along the three axes, and about the second and third one.
 	double q[2][5] = {};
+	const int firstCoupling = input.m_bundles[size_t(unit.m_bundle)].m_firstCoupling;
 	for (int i = 0; i < unit.m_numFibres; ++i)
 	{
 		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
+		const double* const coupling = input.m_couplings[size_t(firstCoupling + i)].m_shear;
 		const double t = tangents.getTangent(input, unit.getFirstFibreRow() + i);
 		for (int k = 0; k < 2; ++k)
 		{
-			const double along = t * fibre.m_coupling[k];
+			const double along = t * coupling[k];
 			q[k][0] -= along;
 			q[k][3] -= along * fibre.m_z;
 			q[k][4] += along * fibre.m_y;
@@ -115,6 +126,7 @@ bool addUnitTangent(const Tangents& tangents, const SystemInput& input, const Sy
 		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
 		fibres.add(tangents.getTangent(input, unit.getFirstFibreRow() + i), fibre.m_y, fibre.m_z);
 	}
+	fibres.cancel();
 	weights[0] += fibres.m_axial;
 	weights[4] += fibres.m_turns[0];
 	weights[5] += fibres.m_turns[2];
