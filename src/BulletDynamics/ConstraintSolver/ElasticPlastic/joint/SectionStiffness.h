@@ -7,7 +7,7 @@
 #include <math.h>
 
 #include "../../btElasticPlasticFibre.h"
-#include "../linear/Cancelled.h"
+#include "../Cancelled.h"
 
 namespace btElasticPlastic
 {

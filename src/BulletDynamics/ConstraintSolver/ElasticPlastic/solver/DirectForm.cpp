@@ -10,7 +10,7 @@
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "../joint/BodyGate.h"
-#include "../linear/Cancelled.h"
+#include "../Cancelled.h"
 #include "Jacobian.h"
 
 namespace btElasticPlastic

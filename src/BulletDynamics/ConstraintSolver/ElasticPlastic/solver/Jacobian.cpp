@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../linear/Cancelled.h"
+#include "../Cancelled.h"
 #include "../linear/Vector3.h"
 
 namespace btElasticPlastic

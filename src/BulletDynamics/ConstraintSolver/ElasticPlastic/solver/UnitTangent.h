@@ -5,7 +5,7 @@
 #define BT_ELASTIC_PLASTIC_UNIT_TANGENT_H
 
 #include "../joint/CoupledBundle.h"
-#include "../linear/Cancelled.h"
+#include "../Cancelled.h"
 #include "SystemInput.h"
 
 namespace btElasticPlastic
