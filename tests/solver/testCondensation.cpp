@@ -140,6 +140,70 @@ TEST(Condensation, IsNotForManyPlacesWithALongBorder)
 	EXPECT_FALSE(inMany.condense(input, box, whole.getNumOperations()));
 }
 
+/// Joins the ground and a body by a shear and two fibres whose compliance is coupled with its.
+void addBundle(SystemInput& input, int body)
+{
+	SystemInput::Unit& unit = input.addUnit(3, 2);
+	for (int axis = 0; axis < 3; ++axis)
+		for (int i = 0; i < 3; ++i)
+		{
+			unit.m_axis[axis][i] = axis == i;
+			if (axis < 2)
+				unit.m_arm[axis][i] = 0;
+		}
+	unit.m_place[0] = unit.m_place[1] = 0;
+	unit.m_body[0] = -1;
+	unit.m_body[1] = body;
+	unit.m_dof[0] = 1;
+	unit.m_bundle = int(input.m_bundles.size());
+	for (int r = 0; r < 3; ++r)
+	{
+		SystemInput::Bounded& row = input.m_rows[size_t(unit.m_firstRow + r)];
+		row = {0, 1e-3, -1, 1, r == 0 ? SystemInput::Bounded::SHEAR_OF_BUNDLE : SystemInput::Bounded::FIBRE_OF_BUNDLE,
+			   0};
+	}
+	input.m_bundles.push_back({int(input.m_units.size()) - 1, {unit.m_firstRow, -1}, int(input.m_couplings.size())});
+	for (const double y : {-0.1, 0.1})
+	{
+		input.m_fibres[size_t(unit.m_firstFibre + (y > 0))] = {y, 0};
+		input.m_couplings.push_back({{1e-6 * y * (1 + body), 0}});
+	}
+}
+
+TEST(Condensation, KnowsCouplingsThatHaveChanged)
+{
+	// As recovery of penetration makes joints stiff, and couplings of their fibres with them: far from what happens, and there.
+	const int columns = 30, pushed = 15 * columns + 14;
+	SystemInput input = grid(columns, 30, pushed, 10);
+	for (const int body : {0, pushed, 1})
+		addBundle(input, body);
+	btElasticPlasticStatistics statistics;
+	btElasticPlastic::LinearSolver whole(statistics);
+	btElasticPlastic::SystemMatrix matrix(whole);
+	matrix.begin(input, 0, 1);
+	btElasticPlastic::AdmissibleBox box;
+	box.begin(input);
+	btElasticPlastic::Condensation condensation(statistics);
+	ASSERT_TRUE(condensation.choose(input, {pushed}, 6));
+	ASSERT_TRUE(condensation.condense(input, box, whole.getNumOperations()));
+	const auto expectCoupling = [&](double expected)
+	{
+		const SystemInput& inside = condensation.getInput();
+		ASSERT_EQ(1u, inside.m_bundles.size());
+		ASSERT_EQ(2u, inside.m_couplings.size());
+		const int first = inside.m_bundles[0].m_firstCoupling;
+		EXPECT_EQ(0, first);
+		EXPECT_EQ(-expected, inside.m_couplings[0].m_shear[0]);
+		EXPECT_EQ(expected, inside.m_couplings[1].m_shear[0]);
+	};
+	const double coupling = 1e-6 * 0.1 * (1 + pushed);
+	expectCoupling(coupling);
+	for (SystemInput::Coupling& own : input.m_couplings)
+		own.m_shear[0] /= 1024;
+	ASSERT_TRUE(condensation.condenseAgain(input, box));
+	expectCoupling(coupling / 1024);
+}
+
 TEST(Condensation, LooksFurtherWhereRowsOutsideReachABound)
 {
 	// A push that makes rows flow up to the held edge, far beyond the first place.

@@ -14,12 +14,12 @@ const double ROUNDING_OF_SUM = 1e-14;
 /// A sum, 0 where its terms cancel but for rounding. A wall that stands in a plane would else be moved out of it, by so little that
 /// products of that have no normal number in float any more: processors take several times as long for these.
 /// \param size  sum of the terms' absolute values
-inline double cancelled(double sum, double size) { return fabs(sum) <= ROUNDING_OF_SUM * size ? 0 : sum; }
+inline double cancelled(double sum, double size) { return fabs(sum) < ROUNDING_OF_SUM * size ? 0 : sum; }
 
 /// The same of sum a b, by the sums of a^2 and b^2.
 inline double cancelledProduct(double sum, double squares, double otherSquares)
 {
-	return sum * sum <= ROUNDING_OF_SUM * ROUNDING_OF_SUM * squares * otherSquares ? 0 : sum;
+	return sum * sum < ROUNDING_OF_SUM * ROUNDING_OF_SUM * squares * otherSquares ? 0 : sum;
 }
 }  // namespace btElasticPlastic
 

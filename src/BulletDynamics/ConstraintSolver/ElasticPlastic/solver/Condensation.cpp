@@ -165,9 +165,8 @@ void Condensation::split(const SystemInput& input)
 			bundle.m_unit = int(to.m_units.size()) - 1;
 			for (int& row : bundle.m_shearRow)
 				row += row >= 0 ? firstRow - from.m_firstRow : 0;
-			for (int i = 0; i < from.m_numFibres; ++i)
-				to.m_couplings.push_back(input.m_couplings[size_t(bundle.m_firstCoupling + i)]);
-			bundle.m_firstCoupling = int(to.m_couplings.size()) - from.m_numFibres;
+			bundle.m_firstCoupling = int(to.m_couplings.size());
+			to.m_couplings.resize(to.m_couplings.size() + size_t(from.m_numFibres));
 			unit.m_bundle = int(to.m_bundles.size());
 			to.m_bundles.push_back(bundle);
 		}
@@ -216,6 +215,16 @@ void Condensation::fillRows(const SystemInput& input, const AdmissibleBox& box)
 	m_place.resize(input.m_rows.size());
 	fill(m_rows, m_input);
 	fill(m_outerRows, m_outer);
+	// Bundles, and their couplings, are in the order of their units on either side.
+	size_t next[2] = {0, 0};
+	for (const SystemInput::Bundle& bundle : input.m_bundles)
+	{
+		const SystemInput::Unit& unit = input.m_units[size_t(bundle.m_unit)];
+		const bool isInside = isRowInside(unit.m_firstRow);
+		SystemInput& to = isInside ? m_input : m_outer;
+		for (int i = 0; i < unit.m_numFibres; ++i)
+			to.m_couplings[next[isInside]++] = input.m_couplings[size_t(bundle.m_firstCoupling + i)];
+	}
 	m_outerBox.begin(m_outer);
 	m_outerBox.holdBounds(m_outer);
 }
