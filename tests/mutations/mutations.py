@@ -79,7 +79,7 @@ MUTATIONS = [
     Mutation("no line search", "System.cpp", "t = next > low && next < high ? next : (low + high) / 2", "t = 1", "*System*:*Destruction*"),
     Mutation("coupling in psi", "AdmissibleBox.h", "strain += 0.5 * row.m_coupling", "strain += 0.4 * row.m_coupling",
              "*AdmissibleBox*"),
-    Mutation("fibres turn the wrong way", "Jacobian.cpp", "aboutZ -= byY;", "aboutZ += byY;", "*Fibre*"),
+    Mutation("fibres turn the wrong way", "SectionStiffness.h", "m_momentZ -= double(fibre.m_y) * force", "m_momentZ += double(fibre.m_y) * force", "*Fibre*"),
     Mutation("rounding stays where fibres cancel", "Cancelled.h", "ROUNDING_OF_SUM = 1e-14", "ROUNDING_OF_SUM = 0", "Fibres.Leave*"),
     Mutation("contact's multiplier", "AugmentedContacts.cpp", "state.m_slip = rest;\n\t\trow.m_target = state.m_target + state",
              "state.m_slip = rest;\n\t\trow.m_target = state.m_target + 0.9 * state", "*Contacts*"),

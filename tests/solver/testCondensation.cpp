@@ -117,27 +117,37 @@ TEST(Condensation, AgreesWithTheWhole)
 	}
 }
 
+/// What a Condensation is told of the whole problem.
+struct Begun
+{
+	btElasticPlasticStatistics m_statistics;
+	btElasticPlastic::LinearSolver m_whole;
+	btElasticPlastic::SystemMatrix m_matrix;
+	btElasticPlastic::AdmissibleBox m_box;
+
+	explicit Begun(const SystemInput& input) : m_whole(m_statistics), m_matrix(m_whole)
+	{
+		m_matrix.begin(input, 0, 1);
+		m_box.begin(input);
+	}
+};
+
 /// Where much of a structure flows, here and there, nearly all that is inside has neighbours outside. What is left of these is a dense
 /// matrix, whose factor would take several times as much as that of the whole.
 TEST(Condensation, IsNotForManyPlacesWithALongBorder)
 {
 	const int columns = 40, rows = 40, apart = 7;
 	const SystemInput input = grid(columns, rows, -1, 0);
-	btElasticPlasticStatistics statistics;
-	btElasticPlastic::LinearSolver whole(statistics);
-	btElasticPlastic::SystemMatrix matrix(whole);
-	matrix.begin(input, 0, 1);
-	btElasticPlastic::AdmissibleBox box;
-	box.begin(input);
+	Begun begun(input);
 	std::vector<int> bodies;
 	for (int b = 0; b < input.getNumBodies(); ++b)
 		if (b % apart == 0 && b / columns % apart == 0)
 			bodies.push_back(b);
-	btElasticPlastic::Condensation inOnePlace(statistics), inMany(statistics);
+	btElasticPlastic::Condensation inOnePlace(begun.m_statistics), inMany(begun.m_statistics);
 	ASSERT_TRUE(inOnePlace.choose(input, {bodies[bodies.size() / 2]}, 6));
-	EXPECT_TRUE(inOnePlace.condense(input, box, whole.getNumOperations()));
+	EXPECT_TRUE(inOnePlace.condense(input, begun.m_box, begun.m_whole.getNumOperations()));
 	ASSERT_TRUE(inMany.choose(input, bodies, 6));
-	EXPECT_FALSE(inMany.condense(input, box, whole.getNumOperations()));
+	EXPECT_FALSE(inMany.condense(input, begun.m_box, begun.m_whole.getNumOperations()));
 }
 
 /// Joins the ground and a body by a shear and two fibres whose compliance is coupled with its.
@@ -177,15 +187,10 @@ TEST(Condensation, KnowsCouplingsThatHaveChanged)
 	SystemInput input = grid(columns, 30, pushed, 10);
 	for (const int body : {0, pushed, 1})
 		addBundle(input, body);
-	btElasticPlasticStatistics statistics;
-	btElasticPlastic::LinearSolver whole(statistics);
-	btElasticPlastic::SystemMatrix matrix(whole);
-	matrix.begin(input, 0, 1);
-	btElasticPlastic::AdmissibleBox box;
-	box.begin(input);
-	btElasticPlastic::Condensation condensation(statistics);
+	Begun begun(input);
+	btElasticPlastic::Condensation condensation(begun.m_statistics);
 	ASSERT_TRUE(condensation.choose(input, {pushed}, 6));
-	ASSERT_TRUE(condensation.condense(input, box, whole.getNumOperations()));
+	ASSERT_TRUE(condensation.condense(input, begun.m_box, begun.m_whole.getNumOperations()));
 	const auto expectCoupling = [&](double expected)
 	{
 		const SystemInput& inside = condensation.getInput();
@@ -200,7 +205,7 @@ TEST(Condensation, KnowsCouplingsThatHaveChanged)
 	expectCoupling(coupling);
 	for (SystemInput::Coupling& own : input.m_couplings)
 		own.m_shear[0] /= 1024;
-	ASSERT_TRUE(condensation.condenseAgain(input, box));
+	ASSERT_TRUE(condensation.condenseAgain(input, begun.m_box));
 	expectCoupling(coupling / 1024);
 }
 

@@ -104,17 +104,20 @@ inline FibreStep::Strength FibreStep::steadyStrength(int i, const JointModel::Be
 	return strength;
 }
 
+void FibreStep::findBearing()
+{
+	m_boreAll = m_model.doAllBear();
+	if (m_boreAll)
+		return;
+	m_bore.resize(m_numFibres);
+	for (int i = 0; i < m_numFibres; ++i)
+		m_bore[i] = m_model.bears(i);
+	m_partCompliance = m_model.bearingCompliance();
+}
+
 /// The branches of all fibres together have three forces each; a fibre has of them what its elongation in the plane gives it.
 void FibreStep::findBranches()
 {
-	m_boreAll = m_model.doAllBear();
-	if (!m_boreAll)
-	{
-		m_bore.resize(m_numFibres);
-		for (int i = 0; i < m_numFibres; ++i)
-			m_bore[i] = m_model.bears(i);
-		m_partCompliance = m_model.bearingCompliance();
-	}
 	if (m_damping.isNone())
 		return;
 	SectionPlane sum, kept;
@@ -419,23 +422,6 @@ btScalar FibreStep::knownByMode(int i, const Past& past, btScalar force,
 	return btMax(-past.m_own * strength.m_compression, btMin(past.m_own * strength.m_tension, known));
 }
 
-namespace
-{
-/// As implicitRow() of Law.h, without the bounds, of which a fibre has two.
-/// \param known    of its mean force, with what the damping's branches carry
-/// \param inverse  of stiffness, alpha and step
-inline void setRow(JointRows::Fibre& row, const JointModel::BearingFibre& fibre, const DofState& s, btScalar known,
-				   btScalar inverse, btScalar perTime)
-{
-	row.m_soft.m_compliance = inverse * perTime;
-	row.m_soft.m_velocity = s.m_strain * perTime + known * inverse;
-	row.m_y = fibre.m_y;
-	row.m_z = fibre.m_z;
-	row.m_coupling[0] = row.m_coupling[1] = 0;
-	row.m_bound = 0;
-}
-}  // namespace
-
 void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& motion, btScalar diagonal, btScalar dt,
 					  JointRows& rows)
 {
@@ -451,6 +437,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		findResponse(motion, diagonal);
 	}
 	findCoupledRows(rows);
+	findBearing();
 	findBranches();
 	const btScalar a = dt * dt * squareOfFrequency(motion, diagonal, rows);
 	m_areOfWaves = carriesWaves(motion);
@@ -468,10 +455,8 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	const btElasticPlasticFibreState* const states = n > 0 ? &m_model.m_state.m_fibres[0] : nullptr;
 	JointRows::Fibre* const to = n > 0 ? &rows.m_fibres[0] : nullptr;
 	const SectionPlaneOf<btScalar> plane = planeOf(strain);
-	const bool areSteady = m_model.m_areSteady, isPlain = areAlike() && !isCoupled && !m_areOfWaves;
-	if (isPlain)
-		beginElastic(plane, scheme, perStiffness, rows);
-	for (int i = 0; i < n && !isPlain; ++i)
+	const bool areSteady = m_model.m_areSteady;
+	for (int i = 0; i < n; ++i)
 	{
 		const JointModel::BearingFibre& fibre = fibres[i];
 		const btElasticPlasticFibreState& state = states[i];
@@ -486,10 +471,17 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		const MeanForce::Bounds bounds = scheme.bound(known, strength.m_tension, strength.m_compression, a);
 		if (isCoupled)
 			m_known[i] = known;
-		setRow(to[i], fibre, s, known + alpha * s.m_carried, inverse, perTime);
+		// As implicitRow(), with two bounds.
+		JointRows::Fibre& row = to[i];
 		const bool holds = !state.isRuptured();
-		to[i].m_soft.m_lower = holds ? dt * bounds.m_lower : btScalar(0);
-		to[i].m_soft.m_upper = holds ? dt * bounds.m_upper : btScalar(0);
+		row.m_soft.m_compliance = inverse * perTime;
+		row.m_soft.m_velocity = s.m_strain * perTime + (known + alpha * s.m_carried) * inverse;
+		row.m_soft.m_lower = holds ? dt * bounds.m_lower : btScalar(0);
+		row.m_soft.m_upper = holds ? dt * bounds.m_upper : btScalar(0);
+		row.m_y = fibre.m_y;
+		row.m_z = fibre.m_z;
+		row.m_coupling[0] = row.m_coupling[1] = 0;
+		row.m_bound = 0;
 	}
 	for (int i = 0; i < n && m_isAnyAtBound; ++i)
 		to[i].m_bound = m_bound[i];
@@ -502,33 +494,6 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 		rows.m_fibreDiagonal += m_model.m_reach[k] * m_model.m_reach[k] * motion.m_turn[k];
 	for (int shear = 0; shear < 2; ++shear)
 		rows.m_coupledShear[shear] = m_shearRow[shear];
-}
-
-/// As begin() makes them, the rows of fibres that are alike, which most of them are.
-void FibreStep::beginElastic(const SectionPlaneOf<btScalar>& plane, const MeanForce& scheme, btScalar perStiffness,
-							 JointRows& rows) const
-{
-	const bool damps = !m_damping.isNone();
-	const btScalar dt = m_dt, perTime = 1 / dt, alpha = scheme.m_alpha;
-	const MeanForce mean = scheme;
-	const Branches branches = m_branches;
-	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
-	const btElasticPlasticFibreState* const states = &m_model.m_state.m_fibres[0];
-	JointRows::Fibre* const to = &rows.m_fibres[0];
-	for (int i = 0, n = m_numFibres; i < n; ++i)
-	{
-		const JointModel::BearingFibre& fibre = fibres[i];
-		const btElasticPlasticFibreState& state = states[i];
-		DofState s = {fibre.m_stiffness, 0, plane.at(fibre) - state.m_offset, state.m_force, state.m_forceRate, {}};
-		if (damps)
-			branches.addTo(s, fibre, true);
-		const btScalar known = mean.known(s, dt), inverse = perStiffness / s.m_stiffness;
-		const MeanForce::Bounds bounds =
-			mean.bound(known, state.m_isCracked ? btScalar(0) : fibre.m_tension, fibre.m_compression, 0);
-		setRow(to[i], fibre, s, known + alpha * s.m_carried, inverse, perTime);
-		to[i].m_soft.m_lower = dt * bounds.m_lower;
-		to[i].m_soft.m_upper = dt * bounds.m_upper;
-	}
 }
 
 /// As coupledRows() of Law.h, for all fibres and both shears.
@@ -589,12 +554,16 @@ std::vector<signed char> FibreStep::getLastBounds() const
 void FibreStep::setLastBounds(const std::vector<signed char>& bounds)
 {
 	m_bound.resize(0);
-	m_isAnyAtBound = false;
 	for (const signed char bound : bounds)
-	{
 		m_bound.push_back(bound);
-		m_isAnyAtBound |= bound != 0;
-	}
+	lookForBounds();
+}
+
+void FibreStep::lookForBounds()
+{
+	m_isAnyAtBound = false;
+	for (int i = 0; i < m_bound.size(); ++i)
+		m_isAnyAtBound |= m_bound[i] != 0;
 }
 
 // ---- return mapping
@@ -607,7 +576,7 @@ bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outc
 	const int n = m_numFibres;
 	if (n == 0 || !m_boreAll)
 		return false;
-	const bool damps = !m_damping.isNone(), areSteady = m_model.m_areSteady, alike = areAlike();
+	const bool damps = !m_damping.isNone(), areSteady = m_model.m_areSteady;
 	const SectionPlaneOf<btScalar> plane = planeOf(trial), carried = m_branches.m_carried;
 	const btScalar stiffening = m_branches.m_stiffening, stiffer = 1 + stiffening;
 	const JointModel::BearingFibre* const fibres = &m_model.m_bearing[0];
@@ -621,9 +590,7 @@ bool FibreStep::takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outc
 					   total = damps ? stiffer * spring +
 										   (carried.at(fibre) * fibre.m_stiffness - stiffening * state.m_force)
 									 : spring;
-		JointModel::FibreStrength strength = {state.m_isCracked ? btScalar(0) : fibre.m_tension, fibre.m_compression};
-		if (!alike)
-			strength = areSteady ? steadyStrength(i, fibre, state) : m_strength[i];
+		const Strength strength = areSteady ? steadyStrength(i, fibre, state) : m_strength[i];
 		areBelow = (total <= strength.m_tension) & (total >= -strength.m_compression) &
 				   ((spring < 0) | (strength.m_tension > 0)) & !state.isRuptured();
 	}

@@ -125,11 +125,11 @@ public:
 		if (m_bound.size() <= numFibres)
 			return;
 		m_bound.resize(numFibres);
-		m_isAnyAtBound = m_bound.findLinearSearch(-1) < numFibres || m_bound.findLinearSearch(1) < numFibres;
+		lookForBounds();
 	}
 
 private:
-	/// Of which fibres have their shares of all the damping's branches at the start of the step.
+	/// All the damping's branches at the start of the step, as planes of the section.
 	struct Branches
 	{
 		btScalar m_stiffening = 0;  ///< see DofState
@@ -160,22 +160,20 @@ private:
 		SectionPlaneOf<btScalar> m_plane;
 	};
 
+	void lookForBounds();
 	/// Whether a fibre bore at the start of the step, see JointModel::bears().
 	bool bore(int fibre) const { return m_boreAll || m_bore[fibre]; }
-	/// Whether all bore and have the strength that they had when they were new, but for cracks.
-	bool areAlike() const { return m_boreAll && m_model.m_areSteady && !m_interaction.isAny(); }
 	DofState stateOf(int fibre, const SectionPlaneOf<btScalar>& plane) const;
 	DofState stateOf(int fibre, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	DofState stateOfShear(int shear, const btScalar strain[BT_EP_DOF_COUNT]) const;
 	double couplingOf(int fibre, int shear) const;
 	void findCoupledRows(const JointRows& rows);
+	void findBearing();
 	void findBranches();
 	const SectionCompliance& compliance() const { return m_boreAll ? m_model.getWholeCompliance() : m_partCompliance; }
 	bool carriesWaves(const Motion& motion) const;
 	Past pastOf(const MeanForce& scheme) const;
 	btScalar knownByMode(int fibre, const Past& past, btScalar force, const JointModel::FibreStrength& strength) const;
-	void beginElastic(const SectionPlaneOf<btScalar>& plane, const MeanForce& scheme, btScalar perStiffness,
-					  JointRows& rows) const;
 	void couple(const btScalar strain[BT_EP_DOF_COUNT], const MeanForce& scheme, btScalar a, JointRows& rows);
 	bool takeElastic(const btScalar trial[BT_EP_DOF_COUNT], Outcome& outcome);
 	void mapAlone(const btScalar trial[BT_EP_DOF_COUNT]);
@@ -225,7 +223,7 @@ private:
 	bool m_boreAll = true;         ///< see bore()
 	Branches m_branches;           ///< the damping's
 	SectionPlane m_branch[MaterialDamping::BRANCHES];  ///< of each of them, with more digits
-	bool m_isAnyAtBound = false;                       ///< of m_bound
+	bool m_isAnyAtBound = false;                       ///< of m_bound, whose memory lies elsewhere
 	btAlignedObjectArray<signed char> m_bound;         ///< of the last solution
 	ShearInteraction m_interaction;                    ///< begins with such things, too
 	// The rest is for others.

@@ -86,6 +86,8 @@ public:
 	/// Takes from a fibre's strength what is not left of it.
 	void lessen(int fibre, JointModel::FibreStrength& strength) const
 	{
+		if (m_left.size() == 0)
+			return;
 		const Left left = getLeft(fibre, strength);
 		strength.m_tension *= left.m_tension;
 		strength.m_compression *= left.m_compression;

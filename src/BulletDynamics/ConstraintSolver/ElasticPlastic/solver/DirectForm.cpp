@@ -733,8 +733,11 @@ void DirectForm::writeVelocities(const SolverPools& pools)
 {
 	double fastest[2] = {};  // along and about an axis
 	for (int b = 0; b < m_solverBodies.size(); ++b)
+	{
+		const double* const own = m_system.getVelocityChange(b);
 		for (int i = 0; i < 6; ++i)
-			fastest[i / 3] = std::max(fastest[i / 3], std::fabs(m_system.getVelocityChange(b)[i]));
+			fastest[i / 3] = std::max(fastest[i / 3], std::fabs(own[i]));
+	}
 	for (int b = 0; b < m_solverBodies.size(); ++b)
 	{
 		btSolverBody& body = pools.m_bodies[m_solverBodies[b]];

@@ -4,9 +4,8 @@
 #include "Jacobian.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "../Cancelled.h"
+#include "../joint/SectionStiffness.h"
 #include "../linear/Vector3.h"
 
 namespace btElasticPlastic
@@ -26,22 +25,13 @@ void addFibres(const SystemInput& input, const SystemInput::Unit& unit, const do
 {
 	if (unit.m_numFibres == 0)
 		return;
-	double axial = 0, aboutY = 0, aboutZ = 0, sizes[2] = {};
+	SectionSum fibres;
 	for (int i = 0; i < unit.m_numFibres; ++i)
-	{
-		const SystemInput::Fibre& fibre = input.m_fibres[size_t(unit.m_firstFibre + i)];
-		const double byZ = fibre.m_z * impulses[i], byY = fibre.m_y * impulses[i];
-		axial += impulses[i];
-		aboutY += byZ;
-		aboutZ -= byY;
-		sizes[0] += std::fabs(byZ);
-		sizes[1] += std::fabs(byY);
-	}
-	aboutY = cancelled(aboutY, sizes[0]);
-	aboutZ = cancelled(aboutZ, sizes[1]);
-	addScaled(axial, unit.m_axis[0], sum[0]);
-	addScaled(aboutY, unit.m_axis[1], sum[1]);
-	addScaled(aboutZ, unit.m_axis[2], sum[1]);
+		fibres.add(input.m_fibres[size_t(unit.m_firstFibre + i)], impulses[i]);
+	const SectionForces forces = fibres.get();
+	addScaled(forces.m_axial, unit.m_axis[0], sum[0]);
+	addScaled(forces.m_momentY, unit.m_axis[1], sum[1]);
+	addScaled(forces.m_momentZ, unit.m_axis[2], sum[1]);
 }
 
 const double* velocityOf(const std::vector<double>& velocity, int body)
