@@ -40,7 +40,7 @@ bool btElasticPlasticJoint::setCapacity(const btElasticPlasticCapacity& capacity
 	if (!model.m_refused)
 	{
 		model.takeCapacity(capacity);
-		m_works->m_step.fitLastBounds();
+		m_works->m_step.followCapacity();
 	}
 	m_works->rouse();
 	m_works->setFault(model.findFault());

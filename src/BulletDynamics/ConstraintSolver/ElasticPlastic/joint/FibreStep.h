@@ -105,6 +105,9 @@ public:
 		double m_share;  ///< of the step's flow, at which it went
 	};
 
+	/// Of the step.
+	int getNumFibres() const { return m_numFibres; }
+
 	/// In the order in which they went, since they were forgotten.
 	const btAlignedObjectArray<Loss>& getLosses() const { return m_losses; }
 	void forgetLosses() { m_losses.resize(0); }

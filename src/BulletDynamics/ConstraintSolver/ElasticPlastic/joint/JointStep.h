@@ -196,8 +196,15 @@ public:
 	/// As getLastBounds(), of the fibres in the capacity's order.
 	std::vector<signed char> getLastFibreBounds() const { return m_fibres.getLastBounds(); }
 	void setLastFibreBounds(const std::vector<signed char>& bounds) { m_fibres.setLastBounds(bounds); }
-	/// After a change of the capacity.
-	void fitLastBounds() { m_fibres.forgetLastBoundsBeyond(m_model.m_capacity.m_fibres.size()); }
+	/// After a change of the capacity, which may have come between a step's solution and its end: one that has been solved with another number of fibres
+	/// has come to nothing.
+	void followCapacity()
+	{
+		const int numFibres = m_model.m_capacity.m_fibres.size();
+		if (m_usesFibres && m_fibres.getNumFibres() != numFibres)
+			revert();
+		m_fibres.forgetLastBoundsBeyond(numFibres);
+	}
 
 private:
 	struct Row
