@@ -59,9 +59,14 @@ void prefetchAll(const btAlignedObjectArray<T>& array)
 
 void FibreStep::prefetch() const
 {
+	prefetchForSolution();
+	prefetchAll(m_model.m_state.m_fibres);
+}
+
+void FibreStep::prefetchForSolution() const
+{
 	btElasticPlastic::prefetch(this, m_interaction.getEndWithoutShear());
 	prefetchAll(m_model.m_bearing);
-	prefetchAll(m_model.m_state.m_fibres);
 }
 
 /// Without a yield value: a fibre has two.

@@ -44,8 +44,10 @@ public:
 	{
 	}
 
-	/// Has the processor load what a step uses of the fibres, whose memory lies elsewhere.
+	/// Has the processor load what a step's beginning and its end use of the fibres, whose memory lies elsewhere.
 	void prefetch() const;
+	/// What setSolution() uses.
+	void prefetchForSolution() const;
 
 	/// How the step begins.
 	struct Motion

@@ -71,6 +71,13 @@ public:
 		btElasticPlastic::prefetch(&m_model.m_bodyB, &m_model.m_bodyB + 1);
 	}
 
+	/// What finishAlone() uses of them.
+	void prefetchPartsForSolution() const
+	{
+		if (m_model.m_bearing.size() > 0)
+			m_step.getFibres().prefetchForSolution();
+	}
+
 	/// Finds the works of a constraint without run-time type information. \return null if it is not elastic-plastic
 	static JointWorks* from(btTypedConstraint* constraint);
 

@@ -835,7 +835,7 @@ void DirectForm::finish(bool isFree)
 			m_joints[j + PREFETCH_AHEAD].m_works->prefetch();
 		const Joint& joint = m_joints[j];
 		if (j + 1 < m_joints.size())
-			m_joints[j + 1].m_works->prefetchParts();
+			m_joints[j + 1].m_works->prefetchPartsForSolution();
 		joint.m_works->m_step.setFree(isFree);
 		if (m_recovery.hasMotion())
 			giveRecovery(joint);
