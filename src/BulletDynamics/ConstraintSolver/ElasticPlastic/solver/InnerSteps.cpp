@@ -29,20 +29,20 @@ const int CALM_RUN = 32;
 /// After so many times the number they do whatever the moment.
 const int CALM_PATIENCE = 4;
 /// Below this share of the error allowed an inner step of a run has left little open: what each of many leaves adds up.
-const double CALM_RUN_SHARE = 1. / 128;
+const double CALM_RUN_SHARE = 1. / 50;
 /// Levels that may become less at once.
 const int MOST_SPARE = 15;
 /// Below this share of the error allowed a step has left little open: it falls as the square of the step.
 const double CALM_INNER_SHARE = 1. / 8;
 /// Below this share of the error a step leaves next to nothing open, and the next one may have fewer inner steps at once.
 const double NO_INNER_SHARE = 1. / 1000;
-/// 1 << this many inner steps are the fewest that are tried: two halve an error, and double what the step takes.
-const int LEAST_LEVEL = 2;
+/// There has to be the work for 1 << this many inner steps, or none is tried: fewer tell little more of a blow than the whole step, and take several times as long.
+const int LEAST_LEVEL = 3;
 /// The least work of an inner step by joint, in the unit of btElasticPlasticStatistics::m_work: what no island of so many joints can do
 /// so often is not tried.
-const long long LEAST_WORK_A_JOINT = 750;
+const long long LEAST_WORK_A_JOINT = 500;
 /// The same by contact point: it is set up and swept in each inner step, which no statistics count.
-const long long LEAST_WORK_A_POINT = 250;
+const long long LEAST_WORK_A_POINT = 167;
 
 /// What has not flowed for so many steps rings; they are not counted beyond the second number.
 const int QUIET_STEPS = 6, MOST_QUIET_STEPS = 2 * QUIET_STEPS;
@@ -53,6 +53,8 @@ const float RINGING_KEPT = 0.95f;
 const int MOST_FORESEEN = 4;
 /// The share of the work allowed that an attempt has to have done before it can be too much: its first steps may be the blow.
 const double LEAST_WORK_SHARE = 1. / 8;
+/// So many times the work allowed is too much: what comes with a blow is soon over.
+const double FAR_TOO_MUCH = 3;
 /// A contact that closes with this share of the energy by which springs yield is a blow.
 const double STRONG_BLOW = 0.25;
 
@@ -236,9 +238,7 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 					   const btElasticPlasticSolverSettings& settings, btElasticPlasticStatistics& statistics,
 					   Solution& solution)
 {
-	Task task = {
-		island,        info, settings, statistics, solution, statistics.m_work, 0, levelOf(settings.m_maxInnerSteps),
-		InnerRhythm(), 0,    0,        0,          0};
+	Task task = {island, info, settings, statistics, solution, statistics.m_work, levelOf(settings.m_maxInnerSteps)};
 	const bool isStep = info.m_timeStep > 0, hasRoom = isStep && mayBeTaken(island.m_numConstraints, settings) &&
 													   hasWorkForContacts(island, settings);
 	// Ropes are told when tension comes on and when the step changes, whether there may be inner steps or not.
@@ -277,6 +277,7 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 		task.m_numSolutions = 0;
 		task.m_workAtBegin = task.m_statistics.m_work;
 		task.m_factorsAtBegin = task.m_statistics.m_factorisations;
+		task.m_workKept = 0;
 		// The first whole step after inner ones is the only one of its kind: velocities come to belong to another time.
 		const bool isWhole = level == 0 && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
@@ -369,53 +370,55 @@ void InnerSteps::limit(Attempt& attempt, double error)
 	btSetMin(attempt.m_doubted, error * CALM_INNER_SHARE);
 }
 
-/// Leaves the step in the middle where it begins again at another level. While inner steps are many they become longer within the step:
-/// what a blow leaves open falls within a few of them.
+/// Few inner steps begin again where one of them leaves too much open. Of many that one is taken back, and those from there on are shorter: they have been right until something was
+/// struck. And they become longer again: what a blow leaves open falls within a few of them.
 InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 {
 	const SolverGroup& island = task.m_island;
-	const int all = 1 << level;
+	const int all = 1 << btMax(levelOf(task.m_settings.m_maxInnerSteps), level);
 	const btScalar dt = task.m_info.m_timeStep;
 	m_state.saveJoints(island);
 	setInnerLength(task, dt, level);
 	Attempt attempt = {};
-	Run run(level);
+	Run run(level, 0);
 	double open = 0, doubted = 0;
 	int steps = 0;
-	for (int left = all; left > 0; ++steps)
+	for (int left = all; left > 0;)
 	{
-		const int parts = 1 << (level - run.m_level), ahead = left / parts;
+		const int parts = all >> run.m_level;
 		const btScalar h = dt / btScalar(1 << run.m_level);
-		left -= parts;
-		m_state.carry(dt * btScalar(all - left) / btScalar(all), h, task.m_info.m_restitutionVelocityThreshold);
-		solveInnerStep(task, h, ahead);
+		task.m_left = double(left) / all;
+		m_state.carry(dt * btScalar(all - left + parts) / btScalar(all), h, task.m_info.m_restitutionVelocityThreshold);
+		const long long workBefore = task.m_statistics.m_work;
+		solveInnerStep(task, h, left / parts);
+		const Attempt before = attempt;
 		judge(task, h, run, attempt);
+		const bool isTooDear = isTooMuch(task, run, left / parts - 1);
+		attempt.m_isLeft = beginsAgain(task, run, level, isTooDear && 2 * (left - parts) >= all, attempt);
+		if (attempt.m_isLeft)
+			break;
+		if (attempt.m_next > run.m_level)
+		{
+			m_state.takeBack();
+			beginRun(task, attempt.m_next, run);
+			attempt = before;
+			continue;
+		}
+		task.m_workKept += double(task.m_statistics.m_work - workBefore);
 		btSetMax(open, attempt.m_open);
 		btSetMax(doubted, attempt.m_doubted);
-		// What half of the steps have not shown to be too much is cheaper to end than to begin again.
-		if (run.m_level == level && 2 * left >= all && isTooMuch(task, left / parts))
-			task.m_maxLevel = attempt.m_next = mostLevel(task, run.m_level, level);
-		if (attempt.m_next != run.m_level)
-		{
-			attempt.m_isLeft = true;
-			// Longer steps have come too early.
-			if (run.m_level < level)
-			{
-				task.m_longerFrom = btScalar(all - left) / btScalar(all);
-				btSetMax(attempt.m_next, level);
-			}
-			break;
-		}
 		m_state.move(h);
 		for (int i = 0; i < island.m_numConstraints; ++i)
 			if (island.m_joints[i])
 				island.m_joints[i]->commitInside(1. / (1 << run.m_level));
-		const bool fits = left > 0 && left % (2 * parts) == 0 && task.m_longerFrom * all <= all - left;
-		if (fits && mayBeLonger(task, run, 2 * h))
+		left -= parts;
+		++steps;
+		const bool fits = left > 0 && left % (2 * parts) == 0 && run.m_level > LEAST_LEVEL;
+		if (fits && (isTooDear || mayBeLonger(task, run, 2 * h)))
 		{
-			m_parameters.restore();
-			run = Run(run.m_level - 1);
-			setInnerLength(task, h, run.m_level);
+			if (isTooDear)
+				task.m_maxLevel = run.m_level - 1;
+			beginRun(task, run.m_level - 1, run);
 		}
 	}
 	m_parameters.restore();
@@ -427,6 +430,30 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	m_state.shiftFreeVelocities((dt / btScalar(1 << run.m_level) - dt) / 2);
 	m_state.finish(steps, m_motions);
 	return attempt;
+}
+
+/// Whether a step is to begin again at another level, which becomes the attempt's next one.
+/// \param level      with which it has begun
+/// \param isTooDear  it takes too much, and less than half of that has been done: to end it is not cheaper
+bool InnerSteps::beginsAgain(Task& task, const Run& run, int level, bool isTooDear, Attempt& attempt) const
+{
+	if (isTooDear)
+		task.m_maxLevel = mostLevel(task, run.m_level, run.m_level, false);
+	if (isTooDear && task.m_maxLevel < run.m_level)
+	{
+		attempt.m_next = btMin(level, task.m_maxLevel);
+		return true;
+	}
+	return attempt.m_next > run.m_level && run.m_level < BLOW_LEVEL;
+}
+
+/// Inner steps from here on are those of a level.
+void InnerSteps::beginRun(Task& task, int level, Run& run)
+{
+	const btScalar before = task.m_info.m_timeStep / btScalar(1 << run.m_level);
+	m_parameters.restore();
+	run = Run(level, task.getWorkOfAttempt());
+	setInnerLength(task, before, level);
 }
 
 /// Looks at what an inner step has left open.
@@ -474,6 +501,7 @@ void InnerSteps::Run::add(const OpenShare& share, double error)
 	btSetMax(m_open, share.getMendableShare());
 	btSetMax(m_doubted, share.getShare());
 	m_isLoaded = m_isLoaded || share.isLoaded();
+	++m_numSteps;
 	m_calm = share.getShare() <= error * CALM_RUN_SHARE ? m_calm + 1 : 0;
 }
 
@@ -485,14 +513,20 @@ bool InnerSteps::mayBeLonger(const Task& task, const Run& run, btScalar longer)
 	return run.m_calm >= CALM_PATIENCE * CALM_RUN || m_state.isJoinedShiftSmall(task.m_island, longer);
 }
 
-/// The work of all inner steps of a level, by the mean of those that the present attempt has solved so far. Shorter steps have a factor each, but fewer rows reach or leave
-/// their bounds in them: the rest of a solution's work falls with the root of the step (measured: 2^-0.44 to 2^-0.6 a level).
+/// The work of a step in inner steps of a level, by the mean of those that the present attempt has solved so far. Shorter steps have a factor each, but fewer rows reach or leave
+/// their bounds in them: the rest of a solution's work falls with the root of the step (measured: 2^-0.44 to 2^-0.6 a level). Contact points are set up and swept in each.
 double InnerSteps::expectWork(const Task& task, int from, int level) const
 {
-	const double work = task.getWorkOfAttempt(),
-				 factors = double(task.m_statistics.m_factorisations - task.m_factorsAtBegin),
-				 mean = work / task.m_numSolutions, least = work / btMax(factors, double(task.m_numSolutions));
-	return (least + (mean - least) * exp2(0.5 * (from - level))) * exp2(level);
+	const double mean = task.getWorkOfAttempt() / task.m_numSolutions, least = task.getWorkOfFactor();
+	const double ofPoints = double(LEAST_WORK_A_POINT * m_state.getNumPoints());
+	return (ofPoints + least + (mean - least) * exp2(0.5 * (from - level))) * exp2(level);
+}
+
+/// The same where it goes on in inner steps of a level. These have become shorter for a blow, which is dear but soon over: what is sure is what has been done, and a factor for
+/// each that is ahead.
+double InnerSteps::expectWorkAhead(const Task& task, int level)
+{
+	return task.m_workKept + task.getWorkOfFactor() * exp2(level) * task.m_left;
 }
 
 /// Whether there is the work to do once more what an attempt has done.
@@ -502,25 +536,27 @@ bool InnerSteps::hasWorkForAnother(const Task& task) const
 }
 
 /// The highest level up to one that the settings have the work for.
-int InnerSteps::mostLevel(const Task& task, int from, int level) const
+/// \param goesOn  the present attempt does, and does not begin again
+int InnerSteps::mostLevel(const Task& task, int from, int level, bool goesOn) const
 {
 	double most = double(task.m_settings.m_maxInnerWork);
 	if (task.m_settings.m_maxWork > 0)
 		most = btMin(most, double(task.getWorkLeft()));
-	if (expectWork(task, from, LEAST_LEVEL) > most)
+	const auto expect = [&](int l) { return goesOn ? expectWorkAhead(task, l) : expectWork(task, from, l); };
+	if (expect(LEAST_LEVEL) > most)
 		return 0;
-	while (level > 0 && expectWork(task, from, level) > most)
+	while (level > 0 && expect(level) > most)
 		--level;
 	return level;
 }
 
 /// Whether an attempt takes far more than there is for it: what was right for the last step is not, since more is joined or touches.
 /// \param ahead  how many inner steps are left
-bool InnerSteps::isTooMuch(const Task& task, int ahead) const
+bool InnerSteps::isTooMuch(const Task& task, const Run& run, int ahead) const
 {
 	const double most = double(task.m_settings.m_maxInnerWork), work = task.getWorkOfAttempt(),
-				 expected = work * (1 + double(ahead) / task.m_numSolutions);
-	return work > LEAST_WORK_SHARE * most && expected / 2 > most;
+				 expected = work + (work - run.m_workBefore) * double(ahead) / run.m_numSteps;
+	return work > LEAST_WORK_SHARE * most && expected > FAR_TOO_MUCH * most;
 }
 
 /// The level of inner steps that what a step has left open asks for, as far as the settings let it have it.
@@ -528,9 +564,11 @@ int InnerSteps::refine(const Task& task, int level, const Attempt& attempt) cons
 {
 	const double error = task.m_settings.m_innerError;
 	int wanted = attempt.m_isStruck ? BLOW_LEVEL : level;
+	// What inner steps before have left open is not mended any more.
+	const int more = level >= BLOW_LEVEL ? 1 : 0;
 	if (attempt.m_open > error && task.m_maxLevel > level)
-		btSetMax(wanted, level + btMax(1, int(ceil(0.5 * log2(attempt.m_open / error)))));
-	return btMax(level, mostLevel(task, level, btMin(wanted, task.m_maxLevel)));
+		btSetMax(wanted, level + more + btMax(1, int(ceil(0.5 * log2(attempt.m_open / error)))));
+	return btMax(level, mostLevel(task, level, btMin(wanted, task.m_maxLevel), level >= BLOW_LEVEL));
 }
 
 /// An oscillation has moments at which a step leaves little open. What may be rounding asks for no shorter steps, and gives no leave for

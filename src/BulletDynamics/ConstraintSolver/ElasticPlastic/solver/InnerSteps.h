@@ -17,7 +17,7 @@ namespace btElasticPlastic
 /// Takes an island under a blow through several short steps within one step of the world, without collision detection.
 ///
 /// An island is solved for the whole step first. What that leaves open (OpenShare) tells whether it was too long; if so, the island
-/// goes back, and is taken through 2, 4, 8 ... inner steps, until none of them leaves more open than is allowed. Bodies' places,
+/// goes back, and is taken through 2, 4, 8 ... inner steps, until none of them leaves more open than is allowed; from 32 on they become shorter within the step. Bodies' places,
 /// contact points, joints' states, forces and penetration are brought along from one to the next. Then the bodies are put back with
 /// their mean velocity for Bullet to move, and the joints' action puts them where the inner steps have ended (BodyMotion).
 ///
@@ -65,15 +65,23 @@ private:
 		btElasticPlasticStatistics& m_statistics;
 		Solution& m_solution;
 		long long m_workBefore;
-		int m_numSolutions;  ///< of the present attempt
 		int m_maxLevel;
-		InnerRhythm m_rhythm;   ///< before the step
-		double m_blow;          ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
-		btScalar m_longerFrom;  ///< the share of the step after which inner steps may become longer
-		/// When the present attempt began.
-		long long m_workAtBegin, m_factorsAtBegin;
+		InnerRhythm m_rhythm = {};  ///< before the step
+		double m_blow = 0;          ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
+		// Of the present attempt:
+		int m_numSolutions = 0;
+		long long m_workAtBegin = 0, m_factorsAtBegin = 0;
+		double m_workKept = 0;  ///< of inner steps that have not been taken back
+		double m_left = 1;      ///< the share of the step that is ahead
 
 		double getWorkOfAttempt() const { return double(m_statistics.m_work - m_workAtBegin); }
+
+		/// The work of a solution that is no more than a factor.
+		double getWorkOfFactor() const
+		{
+			return getWorkOfAttempt() /
+				   btMax(double(m_statistics.m_factorisations - m_factorsAtBegin), double(m_numSolutions));
+		}
 
 		long long getWork() const { return m_statistics.m_work - m_workBefore; }
 		/// Of the island's bound; an eighth of it is for what solutions take beyond theirs: each does at least one factorisation.
@@ -101,8 +109,10 @@ private:
 		double m_open = 0, m_doubted = 0;  ///< as of an attempt
 		int m_calm = 0;                    ///< the last of them that have left little open
 		bool m_isLoaded = false;           ///< see OpenShare
+		int m_numSteps = 0;
+		double m_workBefore;  ///< of the attempt
 
-		explicit Run(int level) : m_level(level) {}
+		Run(int level, double workBefore) : m_level(level), m_workBefore(workBefore) {}
 		void add(const OpenShare& share, double error);
 	};
 
@@ -110,14 +120,17 @@ private:
 	void take(Task& task, const JointRegistry& registry);
 	Attempt solveWhole(Task& task);
 	Attempt solveInner(Task& task, int level);
+	bool beginsAgain(Task& task, const Run& run, int level, bool isTooDear, Attempt& attempt) const;
+	void beginRun(Task& task, int level, Run& run);
 	void setInnerLength(Task& task, btScalar before, int level);
 	static void solveInnerStep(Task& task, btScalar h, int ahead);
 	void judge(const Task& task, btScalar h, Run& run, Attempt& attempt) const;
 	bool mayBeLonger(const Task& task, const Run& run, btScalar longer);
 	bool hasWorkForAnother(const Task& task) const;
 	double expectWork(const Task& task, int from, int level) const;
-	int mostLevel(const Task& task, int from, int level) const;
-	bool isTooMuch(const Task& task, int ahead) const;
+	static double expectWorkAhead(const Task& task, int level);
+	int mostLevel(const Task& task, int from, int level, bool goesOn) const;
+	bool isTooMuch(const Task& task, const Run& run, int ahead) const;
 	int refine(const Task& task, int level, const Attempt& attempt) const;
 	bool isRinging(const Task& task, const Attempt& attempt) const;
 	void findNext(const Task& task, int level, Attempt& attempt) const;

@@ -107,8 +107,8 @@ void IslandState::addBodies(const SolverGroup& island)
 			continue;
 		body->setCompanionId(m_bodies.size());
 		m_bodies.push_back({body, body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
-							btElasticPlasticInnerMotion(), body->getWorldTransform().getOrigin(),
-							body->getLinearVelocity(), body->getAngularVelocity(), false, false});
+							btElasticPlasticInnerMotion(), body->getWorldTransform(), body->getLinearVelocity(),
+							body->getAngularVelocity(), false, false});
 	}
 }
 
@@ -132,9 +132,8 @@ void IslandState::addPoints(const SolverGroup& island)
 		for (int i = 0; i < manifold.getNumContacts(); ++i)
 		{
 			btManifoldPoint& p = manifold.getContactPoint(i);
-			Point point = {&p,        {objects[0], objects[1]}, {bodies[0], bodies[1]}, p.m_distance1,
-						   {0, 0, 0}, p.m_positionWorldOnA,     p.m_positionWorldOnB,   p.m_contactERP,
-						   {0, 0, 0}};
+			Point point = {&p,        {objects[0], objects[1]}, {bodies[0], bodies[1]}, p.m_distance1,  {0, 0, 0},
+						   {0, 0, 0}, p.m_positionWorldOnA,     p.m_positionWorldOnB,   p.m_contactERP, {0, 0, 0}};
 			impulsesOf(p, point.m_impulse);
 			m_hasSpringContact |= (p.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
 			m_points.push_back(point);
@@ -338,7 +337,7 @@ double IslandState::getTaken() const
 				const Body& body = m_bodies[point.m_bodies[side]];
 				const btVector3 gained =
 					body.m_body->getLinearVelocity() - body.m_velocity +
-					(body.m_body->getAngularVelocity() - body.m_spin).cross(places[side] - body.m_place);
+					(body.m_body->getAngularVelocity() - body.m_spin).cross(places[side] - body.m_place.getOrigin());
 				change += side == 1 ? gained : -gained;
 			}
 		const btScalar after = approachOf(point), before = after - change.dot(point.m_point->m_normalWorldOnB);
@@ -381,16 +380,22 @@ void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		Body& body = m_bodies[i];
-		body.m_place = body.m_body->getWorldTransform().getOrigin();
+		body.m_place = body.m_body->getWorldTransform();
 		body.m_velocity = body.m_body->getLinearVelocity();
 		body.m_spin = body.m_body->getAngularVelocity();
 	}
+	m_isEnabled.resize(m_enabled.size());
+	for (int i = 0; i < m_enabled.size(); ++i)
+		m_isEnabled[i] = m_enabled[i]->isEnabled();
 	const bool isFirst = end <= h;
 	for (int i = 0; i < m_points.size(); ++i)
 	{
 		Point& point = m_points[i];
 		btManifoldPoint& p = *point.m_point;
-		if (!isFirst)
+		impulsesOf(p, point.m_guess);
+		if (isFirst)
+			p.m_distance1 = point.m_distance;
+		else
 		{
 			p.m_positionWorldOnA = point.m_objects[0]->getWorldTransform()(p.m_localPointA);
 			p.m_positionWorldOnB = point.m_objects[1]->getWorldTransform()(p.m_localPointB);
@@ -400,6 +405,25 @@ void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
 		if (approach > leastSpeed)
 			btSetMax(p.m_distance1, 4 * approach * h + btScalar(0.01));
 	}
+}
+
+void IslandState::takeBack()
+{
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		const Body& body = m_bodies[i];
+		body.m_body->setWorldTransform(body.m_place);
+		body.m_body->setLinearVelocity(body.m_velocity);
+		body.m_body->setAngularVelocity(body.m_spin);
+		body.m_body->updateInertiaTensor();
+	}
+	for (int i = 0; i < m_points.size(); ++i)
+		setImpulses(*m_points[i].m_point, m_points[i].m_guess, 1);
+	for (int i = 0; i < m_joints.size(); ++i)
+		m_joints[i].m_works->m_step.revert();
+	// One that has reached Bullet's threshold was switched off.
+	for (int i = 0; i < m_enabled.size(); ++i)
+		m_enabled[i]->setEnabled(m_isEnabled[i]);
 }
 
 /// What a contact's impulses have given to its bodies, impulse times mean velocity.
@@ -418,7 +442,7 @@ void IslandState::bookWork(const Point& point)
 		const btRigidBody& body = *before.m_body;
 		const btVector3 mean = (before.m_velocity + body.getLinearVelocity()) * body.getLinearFactor() / 2,
 						spin = (before.m_spin + body.getAngularVelocity()) * body.getAngularFactor() / 2;
-		const btVector3 arm = places[side] - before.m_place, way = mean + spin.cross(arm);
+		const btVector3 arm = places[side] - before.m_place.getOrigin(), way = mean + spin.cross(arm);
 		const double sign = side == 0 ? 1 : -1;
 		before.m_inner.m_contacts += sign * double(normal.dot(way));
 		before.m_inner.m_friction += sign * double(friction.dot(way));
@@ -433,7 +457,7 @@ void IslandState::move(btScalar h)
 		btRigidBody& body = *before.m_body;
 		btElasticPlasticInnerMotion& inner = m_bodies[i].m_inner;
 		const btVector3 &v = body.getLinearVelocity(), &w = body.getAngularVelocity();
-		inner.m_pushed += body.getWorldTransform().getOrigin() - before.m_place;
+		inner.m_pushed += body.getWorldTransform().getOrigin() - before.m_place.getOrigin();
 		inner.m_way += v * h;
 		inner.m_turn += w * h;
 		inner.m_work += 0.5 * double(h) *

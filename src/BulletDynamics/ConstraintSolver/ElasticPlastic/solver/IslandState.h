@@ -46,6 +46,8 @@ public:
 	/// Whether that would be a small part of the velocities there are, or of those for which joints hold the energy.
 	bool isJoinedShiftSmall(const SolverGroup& island, btScalar h);
 
+	int getNumPoints() const { return m_points.size(); }
+
 	/// Whether a contact has a stiffness of its own. As deep as a long step has let it come, a spring would give back in short ones what nobody has
 	/// put into it.
 	bool hasSpringContact() const { return m_hasSpringContact; }
@@ -72,6 +74,9 @@ public:
 	/// \param leastSpeed  at which bodies bounce [m/s]
 	void carry(btScalar end, btScalar h, btScalar leastSpeed);
 
+	/// After an inner step has been solved: goes back to where carry() began, but for kinematic bodies.
+	void takeBack();
+
 	/// After an inner step of h [s] has been solved: moves the bodies by their velocities.
 	void move(btScalar h);
 
@@ -90,9 +95,10 @@ private:
 		btTransform m_start;
 		btVector3 m_linear, m_angular;
 		btElasticPlasticInnerMotion m_inner;
-		btVector3 m_place, m_velocity, m_spin;  ///< when the inner step began
-		bool m_isJoined;                        ///< has constraints
-		bool m_wasTouched;                      ///< by a contact, when the step began
+		btTransform m_place;  ///< when the inner step began
+		btVector3 m_velocity, m_spin;
+		bool m_isJoined;    ///< has constraints
+		bool m_wasTouched;  ///< by a contact, when the step began
 	};
 	struct Kinematic
 	{
@@ -105,6 +111,7 @@ private:
 		const btCollisionObject* m_objects[2];
 		int m_bodies[2];                    ///< of m_bodies, -1: none of them
 		btScalar m_distance, m_impulse[3];  ///< at the beginning; normal and lateral
+		btScalar m_guess[3];                ///< of the impulses, when the inner step began
 		btVector3 m_onA, m_onB;
 		btScalar m_erp;     ///< of its own, where it has one
 		btScalar m_sum[3];  ///< of impulses over the inner steps
@@ -132,6 +139,7 @@ private:
 	btAlignedObjectArray<Point> m_points;
 	btAlignedObjectArray<Joint> m_joints;
 	btAlignedObjectArray<btTypedConstraint*> m_enabled;  ///< constraints
+	btAlignedObjectArray<bool> m_isEnabled;              ///< of these, when the inner step began
 	JoinedShift m_joinedShift;
 	bool m_hasSpringContact = false;
 	bool m_isHeld = false;                   ///< by a constraint with what does not move freely
