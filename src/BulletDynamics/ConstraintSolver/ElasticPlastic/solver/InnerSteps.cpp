@@ -42,7 +42,7 @@ const int LEAST_LEVEL = 3;
 /// so often is not tried.
 const long long LEAST_WORK_A_JOINT = 500;
 /// The same by contact point: it is set up and swept in each inner step, which no statistics count.
-const long long LEAST_WORK_A_POINT = 167;
+const long long LEAST_WORK_A_POINT = 166;
 
 /// What has not flowed for so many steps rings; they are not counted beyond the second number.
 const int QUIET_STEPS = 6, MOST_QUIET_STEPS = 2 * QUIET_STEPS;
@@ -378,7 +378,9 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	const int all = 1 << btMax(levelOf(task.m_settings.m_maxInnerSteps), level);
 	const btScalar dt = task.m_info.m_timeStep;
 	m_state.saveJoints(island);
-	setInnerLength(task, dt, level);
+	m_state.note();
+	setInnerLength(task, dt, dt, level);
+	btScalar lengthOfLast = dt;  // to which the velocities noted belong
 	Attempt attempt = {};
 	Run run(level, 0);
 	double open = 0, doubted = 0;
@@ -397,10 +399,10 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		attempt.m_isLeft = beginsAgain(task, run, level, isTooDear && 2 * (left - parts) >= all, attempt);
 		if (attempt.m_isLeft)
 			break;
-		if (attempt.m_next > run.m_level)
+		if (attempt.m_next > run.m_level && !isTooDear)
 		{
 			m_state.takeBack();
-			beginRun(task, attempt.m_next, run);
+			beginRun(task, lengthOfLast, attempt.m_next, run);
 			attempt = before;
 			continue;
 		}
@@ -408,9 +410,11 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		btSetMax(open, attempt.m_open);
 		btSetMax(doubted, attempt.m_doubted);
 		m_state.move(h);
+		lengthOfLast = h;
 		for (int i = 0; i < island.m_numConstraints; ++i)
 			if (island.m_joints[i])
 				island.m_joints[i]->commitInside(1. / (1 << run.m_level));
+		m_state.note();
 		left -= parts;
 		++steps;
 		const bool fits = left > 0 && left % (2 * parts) == 0 && run.m_level > LEAST_LEVEL;
@@ -418,7 +422,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		{
 			if (isTooDear)
 				task.m_maxLevel = run.m_level - 1;
-			beginRun(task, run.m_level - 1, run);
+			beginRun(task, lengthOfLast, run.m_level - 1, run);
 		}
 	}
 	m_parameters.restore();
@@ -438,7 +442,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 bool InnerSteps::beginsAgain(Task& task, const Run& run, int level, bool isTooDear, Attempt& attempt) const
 {
 	if (isTooDear)
-		task.m_maxLevel = mostLevel(task, run.m_level, run.m_level, false);
+		btSetMin(task.m_maxLevel, mostLevel(task, run.m_level, run.m_level, false));
 	if (isTooDear && task.m_maxLevel < run.m_level)
 	{
 		attempt.m_next = btMin(level, task.m_maxLevel);
@@ -447,13 +451,13 @@ bool InnerSteps::beginsAgain(Task& task, const Run& run, int level, bool isTooDe
 	return attempt.m_next > run.m_level && run.m_level < BLOW_LEVEL;
 }
 
-/// Inner steps from here on are those of a level.
-void InnerSteps::beginRun(Task& task, int level, Run& run)
+/// Inner steps from here on are those of a level. \param lengthOfLast  to which velocities belong [s]
+void InnerSteps::beginRun(Task& task, btScalar lengthOfLast, int level, Run& run)
 {
 	const btScalar before = task.m_info.m_timeStep / btScalar(1 << run.m_level);
 	m_parameters.restore();
 	run = Run(level, task.getWorkOfAttempt());
-	setInnerLength(task, before, level);
+	setInnerLength(task, lengthOfLast, before, level);
 }
 
 /// Looks at what an inner step has left open.
@@ -472,13 +476,13 @@ void InnerSteps::judge(const Task& task, btScalar h, Run& run, Attempt& attempt)
 	findNext(task, run.m_level, attempt);
 }
 
-/// Velocities that belong to steps of one length come to belong to those of a level.
-void InnerSteps::setInnerLength(Task& task, btScalar before, int level)
+/// Velocities that belong to steps of one length come to belong to those of a level, and contact points that are those of another.
+void InnerSteps::setInnerLength(Task& task, btScalar ofVelocities, btScalar ofPoints, int level)
 {
 	const btScalar share = 1 / btScalar(1 << level), h = task.m_info.m_timeStep * share;
-	m_state.shiftFreeVelocities((before - h) / 2);
+	m_state.shiftFreeVelocities((ofVelocities - h) / 2);
 	m_state.shiftJoinedVelocities(task.m_island, h);
-	m_state.scalePoints(h / before);
+	m_state.scalePoints(h / ofPoints);
 	m_parameters.scale(task.m_island, share);
 }
 
@@ -522,11 +526,10 @@ double InnerSteps::expectWork(const Task& task, int from, int level) const
 	return (ofPoints + least + (mean - least) * exp2(0.5 * (from - level))) * exp2(level);
 }
 
-/// The same where it goes on in inner steps of a level. These have become shorter for a blow, which is dear but soon over: what is sure is what has been done, and a factor for
-/// each that is ahead.
+/// The same where it goes on in inner steps of a level. These have become shorter for a blow, which is dear but soon over: what is sure is a factor for each that is ahead.
 double InnerSteps::expectWorkAhead(const Task& task, int level)
 {
-	return task.m_workKept + task.getWorkOfFactor() * exp2(level) * task.m_left;
+	return task.getWorkOfFactor() * exp2(level) * task.m_left;
 }
 
 /// Whether there is the work to do once more what an attempt has done.
@@ -539,7 +542,7 @@ bool InnerSteps::hasWorkForAnother(const Task& task) const
 /// \param goesOn  the present attempt does, and does not begin again
 int InnerSteps::mostLevel(const Task& task, int from, int level, bool goesOn) const
 {
-	double most = double(task.m_settings.m_maxInnerWork);
+	double most = double(task.m_settings.m_maxInnerWork) - (goesOn ? task.m_workKept : 0);
 	if (task.m_settings.m_maxWork > 0)
 		most = btMin(most, double(task.getWorkLeft()));
 	const auto expect = [&](int l) { return goesOn ? expectWorkAhead(task, l) : expectWork(task, from, l); };

@@ -121,8 +121,8 @@ private:
 	Attempt solveWhole(Task& task);
 	Attempt solveInner(Task& task, int level);
 	bool beginsAgain(Task& task, const Run& run, int level, bool isTooDear, Attempt& attempt) const;
-	void beginRun(Task& task, int level, Run& run);
-	void setInnerLength(Task& task, btScalar before, int level);
+	void beginRun(Task& task, btScalar lengthOfLast, int level, Run& run);
+	void setInnerLength(Task& task, btScalar ofVelocities, btScalar ofPoints, int level);
 	static void solveInnerStep(Task& task, btScalar h, int ahead);
 	void judge(const Task& task, btScalar h, Run& run, Attempt& attempt) const;
 	bool mayBeLonger(const Task& task, const Run& run, btScalar longer);

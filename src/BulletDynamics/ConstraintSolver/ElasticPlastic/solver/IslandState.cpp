@@ -91,7 +91,7 @@ void IslandState::saveJoints(const SolverGroup& island)
 	m_joints.reserve(island.m_numConstraints);
 	for (int i = 0; i < island.m_numConstraints; ++i)
 		if (island.m_joints[i])
-			m_joints.push_back({island.m_joints[i], island.m_joints[i]->m_model.m_state});
+			m_joints.push_back({island.m_joints[i], island.m_joints[i]->m_model.m_state, 0});
 }
 
 /// The index of a body here is kept in its companion id, which Bullet does not use between two solutions.
@@ -108,7 +108,8 @@ void IslandState::addBodies(const SolverGroup& island)
 		body->setCompanionId(m_bodies.size());
 		m_bodies.push_back({body, body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
 							btElasticPlasticInnerMotion(), body->getWorldTransform(), body->getLinearVelocity(),
-							body->getAngularVelocity(), false, false});
+							body->getAngularVelocity(), body->getLinearVelocity(), body->getAngularVelocity(), 0, false,
+							false});
 	}
 }
 
@@ -407,20 +408,37 @@ void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
 	}
 }
 
+void IslandState::note()
+{
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		Body& body = m_bodies[i];
+		body.m_notedVelocity = body.m_body->getLinearVelocity();
+		body.m_notedSpin = body.m_body->getAngularVelocity();
+		body.m_notedShift = body.m_inner.m_shift;
+	}
+	for (int i = 0; i < m_joints.size(); ++i)
+		m_joints[i].m_notedWork = m_joints[i].m_works->m_model.m_state.m_work;
+}
+
 void IslandState::takeBack()
 {
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
-		const Body& body = m_bodies[i];
+		Body& body = m_bodies[i];
 		body.m_body->setWorldTransform(body.m_place);
-		body.m_body->setLinearVelocity(body.m_velocity);
-		body.m_body->setAngularVelocity(body.m_spin);
+		body.m_body->setLinearVelocity(body.m_notedVelocity);
+		body.m_body->setAngularVelocity(body.m_notedSpin);
+		body.m_inner.m_shift = body.m_notedShift;
 		body.m_body->updateInertiaTensor();
 	}
 	for (int i = 0; i < m_points.size(); ++i)
 		setImpulses(*m_points[i].m_point, m_points[i].m_guess, 1);
 	for (int i = 0; i < m_joints.size(); ++i)
+	{
 		m_joints[i].m_works->m_step.revert();
+		m_joints[i].m_works->m_model.m_state.m_work = m_joints[i].m_notedWork;
+	}
 	// One that has reached Bullet's threshold was switched off.
 	for (int i = 0; i < m_enabled.size(); ++i)
 		m_enabled[i]->setEnabled(m_isEnabled[i]);

@@ -74,7 +74,10 @@ public:
 	/// \param leastSpeed  at which bodies bounce [m/s]
 	void carry(btScalar end, btScalar h, btScalar leastSpeed);
 
-	/// After an inner step has been solved: goes back to where carry() began, but for kinematic bodies.
+	/// Notes the velocities with which an inner step has ended, or the step has begun, and what joints have booked as their work until then.
+	void note();
+
+	/// After an inner step has been solved: goes back to where carry() began, but for kinematic bodies, and with what note() has noted.
 	void takeBack();
 
 	/// After an inner step of h [s] has been solved: moves the bodies by their velocities.
@@ -97,8 +100,10 @@ private:
 		btElasticPlasticInnerMotion m_inner;
 		btTransform m_place;  ///< when the inner step began
 		btVector3 m_velocity, m_spin;
-		bool m_isJoined;    ///< has constraints
-		bool m_wasTouched;  ///< by a contact, when the step began
+		btVector3 m_notedVelocity, m_notedSpin;  ///< see note()
+		double m_notedShift;                     ///< of m_inner
+		bool m_isJoined;                         ///< has constraints
+		bool m_wasTouched;                       ///< by a contact, when the step began
 	};
 	struct Kinematic
 	{
@@ -120,6 +125,7 @@ private:
 	{
 		JointWorks* m_works;
 		btElasticPlasticState m_state;
+		double m_notedWork;  ///< see note()
 	};
 
 	void addBodies(const SolverGroup& island);
