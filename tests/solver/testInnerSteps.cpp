@@ -475,6 +475,30 @@ TEST(InnerSteps, ThatBeginInASwingGetWhatItHasHadSoFar)
 		}
 }
 
+TEST(InnerSteps, ThatAreTakenBackLeaveNoneOfTheirShiftOfVelocities)
+{
+	// The same with an error a four-hundredth as large, and the work for it: 32 inner steps and more, of which the first is taken back. What velocities have got for it is taken
+	// back with it, or the swing of the spring that a load of ten times its strength strikes is off by 21 %. What they have had so far is found of the
+	// forces in the middle of that time alone: 5.2 % at worst.
+	for (const char* name : {"block-released", "sudden-load-1", "sudden-load-3", "sudden-load-10", "twisted-bar"})
+		for (const int rate : {60, 120, 180, 240})
+		{
+			Stepping stepping;
+			stepping.step = 1. / rate;
+			stepping.watch = [](World& world, double time)
+			{
+				if (time > 0)
+					return;
+				takeInnerSteps(world, 1e-4, 4096);
+				btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
+				settings.m_maxInnerWork = 1ll << 40;
+				ASSERT_TRUE(solverOf(world).setSettings(settings));
+			};
+			EXPECT_LT(findProblem(name)->solve(Solver::Direct, stepping).error(), 1.2 * ERROR_FOUND)
+				<< name << " at 1/" << rate << " s";
+		}
+}
+
 TEST(InnerSteps, AStructureThatFallsFallsAsFarAsItShould)
 {
 	// Two bodies on a spring that yields in its swings, again and again. Each time that inner steps begin, gravity has an earlier time.
