@@ -29,6 +29,14 @@ btVector3 meanSpin(const btTransform& from, const btTransform& to, btScalar dt)
 	return axis * (sign * (sine > 0 ? angle / sine : btScalar(2)) / dt);
 }
 
+void put(btRigidBody& body, const btTransform& place, const btVector3& velocity, const btVector3& spin)
+{
+	body.setWorldTransform(place);
+	body.setLinearVelocity(velocity);
+	body.setAngularVelocity(spin);
+	body.updateInertiaTensor();
+}
+
 btScalar* impulsesOf(btManifoldPoint& point, btScalar* impulses)
 {
 	impulses[0] = point.m_appliedImpulse;
@@ -157,10 +165,7 @@ void IslandState::restore()
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		Body& body = m_bodies[i];
-		body.m_body->setWorldTransform(body.m_start);
-		body.m_body->setLinearVelocity(body.m_linear);
-		body.m_body->setAngularVelocity(body.m_angular);
-		body.m_body->updateInertiaTensor();
+		put(*body.m_body, body.m_start, body.m_linear, body.m_angular);
 		body.m_inner = btElasticPlasticInnerMotion();
 	}
 	for (int i = 0; i < m_points.size(); ++i)
@@ -426,11 +431,8 @@ void IslandState::takeBack()
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		Body& body = m_bodies[i];
-		body.m_body->setWorldTransform(body.m_place);
-		body.m_body->setLinearVelocity(body.m_notedVelocity);
-		body.m_body->setAngularVelocity(body.m_notedSpin);
+		put(*body.m_body, body.m_place, body.m_notedVelocity, body.m_notedSpin);
 		body.m_inner.m_shift = body.m_notedShift;
-		body.m_body->updateInertiaTensor();
 	}
 	for (int i = 0; i < m_points.size(); ++i)
 		setImpulses(*m_points[i].m_point, m_points[i].m_guess, 1);
@@ -526,10 +528,7 @@ void IslandState::finish(int steps, std::vector<BodyMotion>& motions)
 		motion.m_inner = from.m_inner;
 		motion.m_inner.m_steps = steps;
 		motion.m_isTouched = m_isTouched[i];
-		body.setWorldTransform(from.m_start);
-		body.setLinearVelocity(motion.m_meanLinear);
-		body.setAngularVelocity(motion.m_meanAngular);
-		body.updateInertiaTensor();
+		put(body, from.m_start, motion.m_meanLinear, motion.m_meanAngular);
 		body.predictIntegratedTransform(m_dt, motion.m_moved);
 		motions.push_back(motion);
 	}
