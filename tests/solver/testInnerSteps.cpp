@@ -1049,6 +1049,73 @@ TEST(InnerSteps, AnIslandThatGrowsCostsNoMoreThanItMay)
 	EXPECT_LT(step().m_work, 2 * mostWork);
 }
 
+/// A cantilever that swings, takes sixteen inner steps in each step of the world, and would take more.
+struct BusyCantilever
+{
+	ParkesCantilever m_cantilever{solid()};
+	World& m_world = m_cantilever.m_world;
+	btElasticPlasticStatistics m_taken;
+
+	static ParkesCantilever::Settings solid()
+	{
+		ParkesCantilever::Settings settings;
+		settings.member.collides = true;
+		return settings;
+	}
+
+	BusyCantilever() { takeInnerSteps(m_world, 1e-5, 16); }
+
+	/// On its first block.
+	void addBox()
+	{
+		m_world.bullet().setGravity(btVector3(0, btScalar(-9.81), 0));
+		const btRigidBody& first = m_cantilever.m_member.first();
+		btVector3 low, high;
+		first.getAabb(low, high);
+		const btVector3 size = btVector3(1, 1, 1) * (high.x() - low.x()) / 2;
+		m_world.body(1, m_world.box(size), at(first.getCenterOfMassPosition().x(), high.y() + size.y() / 2));
+	}
+
+	void step(int times = 1)
+	{
+		for (int i = 0; i < times; ++i)
+		{
+			solverOf(m_world).resetStatistics();
+			m_world.step(FRAME);
+		}
+		m_taken = statisticsOf(m_world);
+	}
+
+	void allowWork(long long work)
+	{
+		btElasticPlasticSolverSettings settings = solverOf(m_world).getSettings();
+		settings.m_maxInnerWork = work;
+		ASSERT_TRUE(solverOf(m_world).setSettings(settings));
+	}
+
+	int countPoints() const
+	{
+		int points = 0;
+		btDispatcher& dispatcher = *m_world.bullet().getDispatcher();
+		for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+			points += dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+		return points;
+	}
+};
+
+TEST(InnerSteps, AreNotTakenWhereContactsTakeTheWorkForThem)
+{
+	BusyCantilever cantilever;
+	cantilever.addBox();
+	cantilever.step(4);
+	ASSERT_EQ(cantilever.m_taken.m_innerSteps, 16);
+	ASSERT_GT(cantilever.countPoints(), 0);
+	// What eight inner steps of the joints take at the least, as the settings document it.
+	cantilever.allowWork(4000 * static_cast<long long>(cantilever.m_world.joints().size()));
+	cantilever.step();
+	EXPECT_EQ(cantilever.m_taken.m_innerSteps, 0);
+}
+
 /// A beam that is struck at its tip, beside 300 loose boxes on the ground.
 struct BeamBesideBoxes
 {

@@ -78,9 +78,10 @@ struct btElasticPlasticSolverSettings
 	int m_maxInnerSteps = 1024;
 
 	/// The work for the inner steps of an island in a step, in the unit of btElasticPlasticStatistics::m_work, > 0: a large
-	/// island takes fewer, and none if there is not the work for eight, which are 4000 by constraint or 1328 by contact point at the least: none of
-	/// more than 500 constraints or 1500 points with the default, 2 ms of a processor of 3 GHz. It is what solutions take; making their rows and moving
-	/// the bodies, about 1.2 microseconds by body and inner step, come on top. In a blow it may be a few times as much, but for m_maxWork, which bounds it, too.
+	/// island takes fewer, and none if there is not the work for eight, which are 4000 by constraint and 1328 by contact point at the least: none of
+	/// more than 500 constraints, or of 250 with 750 points, with the default, 2 ms of a processor of 3 GHz. It is what solutions take; making their rows and moving
+	/// the bodies, about 1.2 microseconds by body and inner step, come on top. In a blow it may be a few times as much, but for m_maxWork, which bounds it, too;
+	/// the next step has fewer then.
 	long long m_maxInnerWork = 2000000;
 
 	/// The factor that a large island kept from the last step is used as long as so few iterations of conjugate gradients with it

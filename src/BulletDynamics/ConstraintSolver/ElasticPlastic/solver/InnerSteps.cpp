@@ -209,13 +209,14 @@ void forgetTension(const SolverGroup& island)
 			island.m_joints[i]->m_step.forgetTension();
 }
 
-/// Whether there is the work for the contacts of the fewest inner steps.
-bool hasWorkForContacts(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
+/// Whether there is the work for the fewest inner steps, contacts included.
+bool hasWorkFor(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
 {
 	long long points = 0;
 	for (int i = 0; i < island.m_numManifolds; ++i)
 		points += island.m_manifolds[i]->getNumContacts();
-	return LEAST_WORK_A_POINT * points << LEAST_LEVEL <= settings.m_maxInnerWork;
+	const long long least = LEAST_WORK_A_JOINT * island.m_numConstraints + LEAST_WORK_A_POINT * points;
+	return least << LEAST_LEVEL <= settings.m_maxInnerWork;
 }
 }  // namespace
 
@@ -239,8 +240,7 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 					   Solution& solution)
 {
 	Task task = {island, info, settings, statistics, solution, statistics.m_work, levelOf(settings.m_maxInnerSteps)};
-	const bool isStep = info.m_timeStep > 0, hasRoom = isStep && mayBeTaken(island.m_numConstraints, settings) &&
-													   hasWorkForContacts(island, settings);
+	const bool isStep = info.m_timeStep > 0, hasRoom = isStep && areAsked(settings) && hasWorkFor(island, settings);
 	// Ropes are told when tension comes on and when the step changes, whether there may be inner steps or not.
 	const bool isLookedAt = hasRoom || (isStep && mayGoBack(settings) && hasRope(island));
 	JointRegistry* const registry = isLookedAt ? beginJoints(island) : nullptr;
@@ -574,6 +574,15 @@ int InnerSteps::refine(const Task& task, int level, const Attempt& attempt) cons
 	return btMax(level, mostLevel(task, level, btMin(wanted, task.m_maxLevel), level >= BLOW_LEVEL));
 }
 
+/// The level to begin the next step with: that of this one, or less where it has taken more than the settings allow. From BLOW_LEVEL on they become
+/// longer within a step.
+int InnerSteps::affordableLevel(const Task& task, int level) const
+{
+	if (level >= BLOW_LEVEL || task.getWorkOfAttempt() <= double(task.m_settings.m_maxInnerWork))
+		return level;
+	return level > LEAST_LEVEL ? level - 1 : 0;
+}
+
 /// An oscillation has moments at which a step leaves little open. What may be rounding asks for no shorter steps, and gives no leave for
 /// far longer ones at once: it grows by the square of the step if it is none.
 void InnerSteps::remember(const Task& task, int level, const Attempt& attempt) const
@@ -586,7 +595,7 @@ void InnerSteps::remember(const Task& task, int level, const Attempt& attempt) c
 	const int calm = isCalm ? btMin(rhythm.m_calm + 1, CALM_PATIENCE * CALM_WORLD_STEPS) : 0;
 	const bool isNew = calm <= 1 || (isStill && calm < CALM_WORLD_STEPS);
 	rememberRinging(task, level, attempt, rhythm);
-	rhythm.m_level = static_cast<unsigned char>(level);
+	rhythm.m_level = static_cast<unsigned char>(affordableLevel(task, level));
 	rhythm.m_spare = static_cast<unsigned char>(btMin(spare, isNew ? MOST_SPARE : int(rhythm.m_spare)));
 	rhythm.m_calm = static_cast<unsigned char>(isStill ? btMax(calm, CALM_WORLD_STEPS) : calm);
 	for (int i = 0; i < island.m_numConstraints; ++i)

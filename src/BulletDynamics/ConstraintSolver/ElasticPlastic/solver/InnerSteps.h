@@ -136,6 +136,7 @@ private:
 	void findNext(const Task& task, int level, Attempt& attempt) const;
 	static void limit(Attempt& attempt, double error);
 	int beginLevel(Task& task);
+	int affordableLevel(const Task& task, int level) const;
 	void remember(const Task& task, int level, const Attempt& attempt) const;
 	void rememberRinging(const Task& task, int level, const Attempt& attempt, InnerRhythm& rhythm) const;
 
