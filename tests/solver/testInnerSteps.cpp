@@ -783,7 +783,7 @@ TEST(InnerSteps, WhatRingsWithoutFlowingNeedsNoneSoon)
 {
 	Ringing scene;
 	scene.strike(3);
-	run(scene.m_world, 14);
+	run(scene.m_world, 10);
 	EXPECT_GT(statisticsOf(scene.m_world).m_innerSteps, 0);
 	solverOf(scene.m_world).resetStatistics();
 	run(scene.m_world, 12);

@@ -306,7 +306,7 @@ int InnerSteps::beginLevel(Task& task)
 	const SolverGroup& island = task.m_island;
 	const InnerRhythm& rhythm = task.m_rhythm;
 	if (rhythm.m_level > 0 && rhythm.m_quiet >= QUIET_STEPS)
-		return rhythm.m_level - 1;
+		return rhythm.m_level / 2;
 	const int calm = btMax(1, btMin(CALM_WORLD_STEPS, ENOUGH_CALM_INNER_STEPS >> rhythm.m_level));
 	if (rhythm.m_level == 0 || rhythm.m_calm < calm)
 		return rhythm.m_level;
