@@ -96,6 +96,10 @@ struct btElasticPlasticSolverSettings
 	/// agree with those that cannot, at up to twice the time.
 	int m_maxVectorWidth = 8;
 
+	/// Whether the statistics tell where the time goes (btElasticPlasticStatistics::m_setUpTime and those after it). Reading the clock takes a few per cent of a step
+	/// in a world of many small islands.
+	bool m_measuresTime = false;
+
 	static constexpr int MAX_THREADS = 64;
 	static constexpr int MAX_INNER_STEPS = 4096;
 

@@ -34,7 +34,8 @@ struct btElasticPlasticStatistics
 	/// kept their velocities, and their joints their state.
 	long long m_notFinite = 0;
 
-	// Where the time went, of all threads together [s], by the wall clock: on a loaded machine that of others is in it. m_work is not.
+	// Where the time went, if btElasticPlasticSolverSettings::m_measuresTime asks for it, else 0: of all threads together [s], by the wall clock: on a loaded machine that
+	// of others is in it. m_work is not.
 	double m_setUpTime = 0;     ///< joints' rows
 	double m_analysisTime = 0;  ///< the graph, known or new
 	double m_assemblyTime = 0;  ///< the matrix

@@ -43,7 +43,7 @@ bool isWorthKeeping(const BlockFactor& factor, int numSolutions)
 
 void LinearSolver::begin(int numBodies, const std::vector<int>& edges, int islandId, int numSolutions, int numLast)
 {
-	const ScopedTimer timer("elastic-plastic analyse", m_statistics.m_analysisTime);
+	const ScopedTimer timer("elastic-plastic analyse", m_statistics.m_analysisTime, m_settings.m_measuresTime);
 	const size_t hash = hashOf(numBodies, edges);
 	leavePlan();
 	const auto range = m_plans.equal_range(hash);
@@ -169,7 +169,7 @@ void LinearSolver::setAssembled(const std::vector<int>& changedBodies)
 
 bool LinearSolver::factorise()
 {
-	const ScopedTimer timer("elastic-plastic factorise", m_statistics.m_factorisationTime);
+	const ScopedTimer timer("elastic-plastic factorise", m_statistics.m_factorisationTime, m_settings.m_measuresTime);
 	++m_statistics.m_factorisations;
 	BlockFactor& factor = m_plan->m_factor;
 	takeBuffer(factor);
@@ -206,7 +206,7 @@ bool LinearSolver::solve(std::vector<double>& x)
 	}
 	if (m_factorState != CURRENT && !factorise())
 		return false;
-	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime);
+	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime, m_settings.m_measuresTime);
 	m_plan->m_factor.solve(x.data());
 	countSolution();
 	return true;
@@ -214,7 +214,7 @@ bool LinearSolver::solve(std::vector<double>& x)
 
 void LinearSolver::solveHalf(const int bodies[2], const double b[12], HalfSolution& half)
 {
-	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime);
+	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime, m_settings.m_measuresTime);
 	const int64_t numBlocks = m_plan->m_factor.solveHalf(bodies, b, half);
 	m_statistics.m_work += (long long)(NANOSECONDS_A_BLOCK / 2 * double(numBlocks));
 }
@@ -234,7 +234,7 @@ double scalarProduct(const std::vector<double>& x, const std::vector<double>& y)
 /// iterations.
 bool LinearSolver::iterate(std::vector<double>& x)
 {
-	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime);
+	const ScopedTimer timer("elastic-plastic solve", m_statistics.m_solutionTime, m_settings.m_measuresTime);
 	const BlockMatrix& matrix = m_plan->m_matrix;
 	const BlockFactor& factor = m_plan->m_factor;
 	const size_t n = x.size();

@@ -10,25 +10,28 @@
 
 namespace btElasticPlastic
 {
-/// Adds the time between its construction and destruction to a sum [s], and is a zone of Bullet's profiler.
+/// A zone of Bullet's profiler. Adds the time between its construction and destruction to a sum [s], if that is asked for: where islands are small,
+/// reading the clock takes longer than what it measures.
 class ScopedTimer
 {
 public:
-	ScopedTimer(const char* zone, double& sum)
-		: m_zone(zone), m_sum(sum), m_begin(std::chrono::steady_clock::now())
+	ScopedTimer(const char* zone, double& sum, bool isMeasured) : m_zone(zone), m_sum(isMeasured ? &sum : nullptr)
 	{
+		if (m_sum)
+			m_begin = std::chrono::steady_clock::now();
 	}
 	~ScopedTimer()
 	{
-		m_sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
+		if (m_sum)
+			*m_sum += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
 	}
 	ScopedTimer(const ScopedTimer&) = delete;
 	ScopedTimer& operator=(const ScopedTimer&) = delete;
 
 private:
 	CProfileSample m_zone;
-	double& m_sum;
-	const std::chrono::steady_clock::time_point m_begin;
+	double* const m_sum;
+	std::chrono::steady_clock::time_point m_begin;
 };
 }  // namespace btElasticPlastic
 

@@ -408,7 +408,7 @@ bool InteriorPoint::solve(const SystemInput& input, const AugmentedContacts& con
 		m_statistics.m_work += (long long)(ITERATION_A_ROW * double(input.getNumRows()));
 		++m_statistics.m_interiorIterations;
 		{
-			const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);
+			const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime, m_measuresTime);
 			weigh(input);
 			matrix.assembleAnew(input, Tangents{m_tangent, m_beside, m_bundles});
 		}

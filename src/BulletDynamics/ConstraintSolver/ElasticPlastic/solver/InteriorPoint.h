@@ -30,6 +30,9 @@ class InteriorPoint
 public:
 	explicit InteriorPoint(btElasticPlasticStatistics& statistics) : m_statistics(statistics) {}
 
+	/// As btElasticPlasticSolverSettings::m_measuresTime.
+	void measureTime(bool isMeasured) { m_measuresTime = isMeasured; }
+
 	/// \param velocity  dv to begin with; gets the solution, of a few digits
 	/// \param workEnd   of the statistics' count of work, at which iterations end early; 0: never
 	/// \return false if there is nothing to solve, or no number comes out: velocity is as it was
@@ -69,6 +72,7 @@ private:
 	double frictionBound(const SystemInput::SingleRow& friction, const SystemInput& input) const;
 
 	btElasticPlasticStatistics& m_statistics;
+	bool m_measuresTime = false;
 	double m_mu = 0;                 // mean of what the bounds push with, times their distance
 	double m_pairs = 0;              // rows with bounds, twice
 	double m_centring = 0;           // the share of mu that a step aims at

@@ -25,11 +25,11 @@ bool isResultFinite(const btAlignedObjectArray<btSolverBody>& bodies)
 	for (int i = 0; i < bodies.size(); ++i)
 	{
 		const btSolverBody& b = bodies[i];
-		if (!b.m_originalBody || !isWellFormed(*b.m_originalBody))
-			continue;
-		if (!isVectorFinite(b.m_linearVelocity + b.m_deltaLinearVelocity + b.m_externalForceImpulse) ||
-			!isVectorFinite(b.m_angularVelocity + b.m_deltaAngularVelocity + b.m_externalTorqueImpulse) ||
-			!isVectorFinite(b.m_pushVelocity) || !isVectorFinite(b.m_turnVelocity))
+		const bool isFinite =
+			isVectorFinite(b.m_linearVelocity + b.m_deltaLinearVelocity + b.m_externalForceImpulse) &&
+			isVectorFinite(b.m_angularVelocity + b.m_deltaAngularVelocity + b.m_externalTorqueImpulse) &&
+			isVectorFinite(b.m_pushVelocity) && isVectorFinite(b.m_turnVelocity);
+		if (!isFinite && b.m_originalBody && isWellFormed(*b.m_originalBody))
 			return false;
 	}
 	return true;
@@ -137,7 +137,7 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 	m_otherJoints.resize(0);
 	m_direct.reserve(numConstraints);
 	{
-		const ScopedTimer timer("elastic-plastic set-up", m_statistics.m_setUpTime);
+		const ScopedTimer timer("elastic-plastic set-up", m_statistics.m_setUpTime, m_settings.m_measuresTime);
 		for (int i = 0; i < numConstraints; ++i)
 		{
 			if (i + PREFETCH_AHEAD < numConstraints && m_island.m_joints[i + PREFETCH_AHEAD])

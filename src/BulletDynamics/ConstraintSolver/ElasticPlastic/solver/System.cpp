@@ -100,6 +100,8 @@ void System::setSettings(const btElasticPlasticSolverSettings& settings)
 {
 	m_settings = settings;
 	m_linearSolver.setSettings(settings);
+	m_interior.measureTime(settings.m_measuresTime);
+	m_workingSet.measureTime(settings.m_measuresTime);
 	m_place.reset();
 }
 
@@ -147,7 +149,7 @@ bool System::solveLinear(const SystemInput& input, std::vector<double>& x)
 	}
 	if (!m_matrixIsCurrent)
 	{
-		const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime);
+		const ScopedTimer timer("elastic-plastic assemble", m_statistics.m_assemblyTime, m_settings.m_measuresTime);
 		m_matrix.assemble(input, m_admissible);
 		m_matrixIsCurrent = true;
 	}
@@ -159,7 +161,7 @@ bool System::solveLinear(const SystemInput& input, std::vector<double>& x)
 /// Impulses and bounds of all rows at dv.
 void System::evaluate(const SystemInput& input)
 {
-	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
+	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime, m_settings.m_measuresTime);
 	m_statistics.m_work += (long long)(EVALUATION_A_ROW * double(input.getNumRows()));
 	project(input, m_velocity, m_along);
 	m_boundsChanged = m_admissible.project(input, m_along);
@@ -170,7 +172,7 @@ void System::evaluate(const SystemInput& input)
 /// The residual that belongs to the last evaluate(). \return phi
 double System::findResidual(const SystemInput& input)
 {
-	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
+	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime, m_settings.m_measuresTime);
 	double phi = 0;
 	m_phiTerms = 0;
 	m_admissible.addPotential(input, m_along, phi, m_phiTerms);
@@ -388,7 +390,7 @@ void System::move(double length)
 /// zigzag.
 double System::exactLength(const SystemInput& input)
 {
-	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
+	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime, m_settings.m_measuresTime);
 	m_work.resize(m_step.size());
 	multiplyMass(input, m_step, m_work);
 	double along0 = 0, along1 = 0;

@@ -362,7 +362,7 @@ void WorkingSet::findBounds(const SystemInput& input)
 
 bool WorkingSet::pivot(const SystemInput& input)
 {
-	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime);
+	const ScopedTimer timer("elastic-plastic search", m_statistics.m_searchTime, m_measuresTime);
 	size_t fewest = m_members.size() + 1;
 	int patience = TURNS_TOGETHER;
 	for (int turn = 0; turn < MOST_PIVOTS; ++turn)

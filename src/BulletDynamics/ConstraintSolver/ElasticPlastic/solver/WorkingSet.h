@@ -31,6 +31,9 @@ class WorkingSet
 public:
 	explicit WorkingSet(btElasticPlasticStatistics& statistics) : m_statistics(statistics) {}
 
+	/// As btElasticPlasticSolverSettings::m_measuresTime.
+	void measureTime(bool isMeasured) { m_measuresTime = isMeasured; }
+
 	/// Begins a problem at the solution for a guess, before the rows are asked what they make of it.
 	void begin(const AdmissibleBox& box, const std::vector<double>& velocity);
 
@@ -89,6 +92,7 @@ private:
 	std::vector<double> m_answers;  // W, its lower triangle by rows
 	std::vector<char> m_isMember;   // by row
 	btElasticPlasticStatistics& m_statistics;
+	bool m_measuresTime = false;
 	// Work space.
 	struct Leaving
 	{
