@@ -208,7 +208,7 @@ const Recorded RECORDS[] = {
 	 Solver::Iterative,
 	 {0xaea9cff96d32c007, 0x333e58b665295400},
 	 {0x38f20568beb46d5f, 0xcb55268740fab725}},
-	{"wall", wall, Solver::Direct, {0x79c256808fd747ce, 0x81b8b10540156b72}, {0xf5bf28da94938184, 0x148b5fa69d9fafdf}},
+	{"wall", wall, Solver::Direct, {0x171a873b66c7bba6, 0x754ce450def0483}, {0x475dee1f42061512, 0x4e27a9f10d7af791}},
 	{"wall",
 	 wall,
 	 Solver::Iterative,

@@ -57,6 +57,8 @@ const double LEAST_WORK_SHARE = 1. / 8;
 const double FAR_TOO_MUCH = 3;
 /// A contact that closes with this share of the energy by which springs yield is a blow.
 const double STRONG_BLOW = 0.25;
+/// So is one that takes a share of what moves, if that is a share of the energy by which springs yield.
+const double LATE_BLOW = 0.1, LATE_BLOW_ENERGY = 0.5;
 
 int levelOf(int steps)
 {
@@ -359,8 +361,13 @@ void InnerSteps::findNext(const Task& task, int level, Attempt& attempt) const
 bool InnerSteps::isStruck(const Task& task, int level) const
 {
 	const double taken = level < BLOW_LEVEL ? m_state.getTaken() : 0;
-	return taken > 0 && taken > task.m_settings.m_innerError * (taken + m_state.getKineticEnergy()) &&
-		   taken > STRONG_BLOW * yieldEnergyOf(task.m_island);
+	if (!(taken > 0))
+		return false;
+	const double energy = taken + m_state.getKineticEnergy(), yieldEnergy = yieldEnergyOf(task.m_island);
+	if (taken > STRONG_BLOW * yieldEnergy)
+		return taken > task.m_settings.m_innerError * energy;
+	// One that comes late in the step has taken but a part of its blow.
+	return taken > LATE_BLOW * energy && energy > LATE_BLOW_ENERGY * yieldEnergy;
 }
 
 /// It is calm but not still: longer steps damp it.
@@ -390,7 +397,10 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 		const int parts = all >> run.m_level;
 		const btScalar h = dt / btScalar(1 << run.m_level);
 		task.m_left = double(left) / all;
-		m_state.carry(dt * btScalar(all - left + parts) / btScalar(all), h, task.m_info.m_restitutionVelocityThreshold);
+		// In few steps what waits for its bounce until it touches would go through what it hits: Bullet's rows stop it.
+		const btScalar leastBounce =
+			run.m_level < BOUNCE_LEVEL ? btScalar(BT_LARGE_FLOAT) : task.m_info.m_restitutionVelocityThreshold;
+		m_state.carry(dt * btScalar(all - left + parts) / btScalar(all), h, leastBounce);
 		const long long workBefore = task.m_statistics.m_work;
 		solveInnerStep(task, h, left / parts);
 		const Attempt before = attempt;
@@ -431,7 +441,7 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 	attempt.m_open = open;
 	attempt.m_doubted = doubted;
 	attempt.m_next = run.m_level;
-	m_state.shiftFreeVelocities((dt / btScalar(1 << run.m_level) - dt) / 2);
+	m_state.endShift((dt / btScalar(1 << run.m_level) - dt) / 2);
 	m_state.finish(steps, m_motions);
 	return attempt;
 }
@@ -441,12 +451,12 @@ InnerSteps::Attempt InnerSteps::solveInner(Task& task, int level)
 /// \param isTooDear  it takes too much, and less than half of that has been done: to end it is not cheaper
 bool InnerSteps::beginsAgain(Task& task, const Run& run, int level, bool isTooDear, Attempt& attempt) const
 {
-	if (isTooDear)
-		btSetMin(task.m_maxLevel, mostLevel(task, run.m_level, run.m_level, false));
-	if (isTooDear && task.m_maxLevel < run.m_level)
+	if (isTooDear && !(level >= BLOW_LEVEL && mayGoOn(task)))
 	{
+		btSetMin(task.m_maxLevel, mostLevel(task, run.m_level, run.m_level, false));
 		attempt.m_next = btMin(level, task.m_maxLevel);
-		return true;
+		if (task.m_maxLevel < run.m_level)
+			return true;
 	}
 	return attempt.m_next > run.m_level && run.m_level < BLOW_LEVEL;
 }
@@ -560,6 +570,14 @@ bool InnerSteps::isTooMuch(const Task& task, const Run& run, int ahead) const
 	const double most = double(task.m_settings.m_maxInnerWork), work = task.getWorkOfAttempt(),
 				 expected = work + (work - run.m_workBefore) * double(ahead) / run.m_numSteps;
 	return work > LEAST_WORK_SHARE * most && expected > FAR_TOO_MUCH * most;
+}
+
+/// Whether there is the work for the fewest inner steps at what those of the attempt have taken so far. In a blow many that are too dear become fewer where they are then: without
+/// any the blow would be missed, and one step that begins with the velocities of many would tell flow that nobody has given.
+bool InnerSteps::mayGoOn(const Task& task)
+{
+	const double mean = task.getWorkOfAttempt() / task.m_numSolutions;
+	return mean * (1 << LEAST_LEVEL) <= FAR_TOO_MUCH * double(task.m_settings.m_maxInnerWork);
 }
 
 /// The level of inner steps that what a step has left open asks for, as far as the settings let it have it.

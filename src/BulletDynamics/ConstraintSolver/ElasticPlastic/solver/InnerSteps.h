@@ -131,6 +131,7 @@ private:
 	static double expectWorkAhead(const Task& task, int level);
 	int mostLevel(const Task& task, int from, int level, bool goesOn) const;
 	bool isTooMuch(const Task& task, const Run& run, int ahead) const;
+	static bool mayGoOn(const Task& task);
 	int refine(const Task& task, int level, const Attempt& attempt) const;
 	bool isRinging(const Task& task, const Attempt& attempt) const;
 	void findNext(const Task& task, int level, Attempt& attempt) const;

@@ -116,8 +116,8 @@ void IslandState::addBodies(const SolverGroup& island)
 		body->setCompanionId(m_bodies.size());
 		m_bodies.push_back({body, body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
 							btElasticPlasticInnerMotion(), body->getWorldTransform(), body->getLinearVelocity(),
-							body->getAngularVelocity(), body->getLinearVelocity(), body->getAngularVelocity(), 0, false,
-							false});
+							body->getAngularVelocity(), body->getLinearVelocity(), body->getAngularVelocity(), 0, 0, 0,
+							false, false});
 	}
 }
 
@@ -167,6 +167,7 @@ void IslandState::restore()
 		Body& body = m_bodies[i];
 		put(*body.m_body, body.m_start, body.m_linear, body.m_angular);
 		body.m_inner = btElasticPlasticInnerMotion();
+		body.m_ahead = 0;
 	}
 	for (int i = 0; i < m_points.size(); ++i)
 	{
@@ -212,15 +213,38 @@ void IslandState::shiftFreeVelocities(btScalar later)
 {
 	const bool isAllFree = isFalling();
 	for (int i = 0; i < m_bodies.size(); ++i)
+		if (!m_isTouched[i] && (!m_bodies[i].m_isJoined || isAllFree))
+			shift(m_bodies[i], later);
+}
+
+void IslandState::endShift(btScalar later)
+{
+	shiftFreeVelocities(later);
+	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		Body& body = m_bodies[i];
-		if (m_isTouched[i] || (body.m_isJoined && !isAllFree))
+		if (body.m_isJoined || !m_isTouched[i] || !(body.m_ahead > 0))
 			continue;
-		const btVector3 before = body.m_body->getLinearVelocity(),
-						change = body.m_body->getGravity() * body.m_body->getLinearFactor() * later;
-		body.m_body->setLinearVelocity(before + change);
-		body.m_inner.m_shift += double((before + change / 2).dot(change)) / double(body.m_body->getInvMass());
+		const btVector3 gravity = body.m_body->getGravity() * body.m_body->getLinearFactor();
+		const btScalar square = gravity.length2();
+		if (!(square > 0))
+			continue;
+		const btVector3& velocity = body.m_body->getLinearVelocity();
+		const btScalar falls = velocity.dot(gravity) / square,
+					   gained = falls - body.m_linear.dot(gravity) / square - body.m_ahead,
+					   freely = btMax(btMin(gained / m_dt, btScalar(1)), btScalar(0));
+		shift(body, -btMin(freely * body.m_ahead, btMax(falls, btScalar(0))));
 	}
+}
+
+/// \param later  the time by which its velocity is to belong to a later one [s]
+void IslandState::shift(Body& body, btScalar later)
+{
+	const btVector3 before = body.m_body->getLinearVelocity(),
+					change = body.m_body->getGravity() * body.m_body->getLinearFactor() * later;
+	body.m_body->setLinearVelocity(before + change);
+	body.m_inner.m_shift += double((before + change / 2).dot(change)) / double(body.m_body->getInvMass());
+	body.m_ahead += later;
 }
 
 /// \return whether there is any
@@ -421,6 +445,7 @@ void IslandState::note()
 		body.m_notedVelocity = body.m_body->getLinearVelocity();
 		body.m_notedSpin = body.m_body->getAngularVelocity();
 		body.m_notedShift = body.m_inner.m_shift;
+		body.m_notedAhead = body.m_ahead;
 	}
 	for (int i = 0; i < m_joints.size(); ++i)
 		m_joints[i].m_notedWork = m_joints[i].m_works->m_model.m_state.m_work;
@@ -433,6 +458,7 @@ void IslandState::takeBack()
 		Body& body = m_bodies[i];
 		put(*body.m_body, body.m_place, body.m_notedVelocity, body.m_notedSpin);
 		body.m_inner.m_shift = body.m_notedShift;
+		body.m_ahead = body.m_notedAhead;
 	}
 	for (int i = 0; i < m_points.size(); ++i)
 		setImpulses(*m_points[i].m_point, m_points[i].m_guess, 1);

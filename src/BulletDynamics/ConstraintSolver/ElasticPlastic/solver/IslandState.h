@@ -35,9 +35,13 @@ public:
 	/// Has the velocities of bodies that nothing holds or touches, alone or joined to each other, belong to another time.
 	///
 	/// Bullet's velocities belong to a time half a step before that of its places. With shorter steps that time comes closer, and a
-	/// falling body gets the speed that gravity gives it in between; if it is free when the step ends, it gives it back.
+	/// falling body gets the speed that gravity gives it in between, and gives it back when the step ends.
 	/// \param later  [s]
 	void shiftFreeVelocities(btScalar later);
+
+	/// The same as the step ends. What was free as it began and is touched now gives back what it has got, as far as it has fallen freely and still falls: what slips off
+	/// or is brushed would be faster each time, and what strikes something gives it its speed.
+	void endShift(btScalar later);
 
 	/// The same of those that joints hold and nothing touches, where inner steps of h [s] are not as long as the last one: see JoinedShift.
 	/// To be called after saveJoints().
@@ -102,8 +106,10 @@ private:
 		btVector3 m_velocity, m_spin;
 		btVector3 m_notedVelocity, m_notedSpin;  ///< see note()
 		double m_notedShift;                     ///< of m_inner
-		bool m_isJoined;                         ///< has constraints
-		bool m_wasTouched;                       ///< by a contact, when the step began
+		btScalar m_ahead,
+			m_notedAhead;   ///< the time by which its velocity belongs to a later one than before the step [s]
+		bool m_isJoined;    ///< has constraints
+		bool m_wasTouched;  ///< by a contact, when the step began
 	};
 	struct Kinematic
 	{
@@ -133,6 +139,7 @@ private:
 	void addKinematic(btRigidBody& body);
 	void bookWork(const Point& point);
 	static void leave(const Point& point, const btScalar* impulses);
+	static void shift(Body& body, btScalar later);
 	void findTouched();
 	bool findJoinedShift(const SolverGroup& island, btScalar h);
 	bool isAnyTouched() const;
