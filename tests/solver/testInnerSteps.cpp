@@ -19,6 +19,7 @@
 #include "scenes/HangingChain.h"
 #include "scenes/ParkesCantilever.h"
 #include "support/Close.h"
+#include "support/ContactPoints.h"
 #include "support/DirectSolver.h"
 #include "support/Run.h"
 #include "world/EnergyAudit.h"
@@ -41,22 +42,26 @@ void takeInnerSteps(World& world, double error = ERROR_ALLOWED, int most = MOST_
 	ASSERT_TRUE(solverOf(world).setSettings(settings));
 }
 
+/// For inner steps of an island, in a step of the world.
+void allowInnerWork(World& world, long long work)
+{
+	btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
+	settings.m_maxInnerWork = work;
+	ASSERT_TRUE(solverOf(world).setSettings(settings));
+}
+
 /// As many inner steps as so much work in a step of the world lets them be.
 void takeInnerStepsFor(World& world, long long work)
 {
-	btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
-	settings.m_innerError = ERROR_ALLOWED;
-	settings.m_maxInnerWork = work;
-	ASSERT_TRUE(solverOf(world).setSettings(settings));
+	takeInnerSteps(world);
+	allowInnerWork(world, work);
 }
 
 /// For blows that have to be right: finer than by default, for ten times the work, by mode.
 void takeFineInnerSteps(World& world)
 {
 	takeInnerSteps(world, 0.02, 256);
-	btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
-	settings.m_maxInnerWork *= 10;
-	ASSERT_TRUE(solverOf(world).setSettings(settings));
+	allowInnerWork(world, 10 * btElasticPlasticSolverSettings().m_maxInnerWork);
 	for (btElasticPlasticJoint* joint : world.joints())
 		joint->setScheme(BT_EP_SCHEME_BY_MODE);
 }
@@ -490,9 +495,7 @@ TEST(InnerSteps, ThatAreTakenBackLeaveNoneOfTheirShiftOfVelocities)
 				if (time > 0)
 					return;
 				takeInnerSteps(world, 1e-4, 4096);
-				btElasticPlasticSolverSettings settings = solverOf(world).getSettings();
-				settings.m_maxInnerWork = 1ll << 40;
-				ASSERT_TRUE(solverOf(world).setSettings(settings));
+				allowInnerWork(world, 1ll << 40);
 			};
 			EXPECT_LT(findProblem(name)->solve(Solver::Direct, stepping).error(), 1.2 * ERROR_FOUND)
 				<< name << " at 1/" << rate << " s";
@@ -575,7 +578,8 @@ TEST(InnerSteps, WhatBouncesDoesNotGoThroughWhereThereIsNoWorkForThem)
 				SCOPED_TRACE(testing::Message() << work << ", " << speed << " m/s, " << phase);
 				// The box is 0.6 m high, and the beam bends.
 				EXPECT_GT(lowest, 0);
-				EXPECT_LT(audit.created(), 0.05);
+				// Contacts at 1/30 s make 6e-4 of the energy at play.
+				EXPECT_LT(audit.created(), 2e-3);
 			}
 }
 
@@ -618,6 +622,7 @@ TEST(InnerSteps, ABlowThatComesLateInTheStepDoesItsDamage)
 		least = std::min(least, plasticEnergy(drop.m_world));
 		most = std::max(most, plasticEnergy(drop.m_world));
 	}
+	// 0.91 in double and 0.87 in float, by how its waves meet the steps.
 	EXPECT_GT(least, 0.8 * most);
 }
 
@@ -1138,71 +1143,25 @@ TEST(InnerSteps, AnIslandThatGrowsCostsNoMoreThanItMay)
 	EXPECT_LT(step().m_work, 2 * mostWork);
 }
 
-/// A cantilever that swings, takes sixteen inner steps in each step of the world, and would take more.
-struct BusyCantilever
-{
-	ParkesCantilever m_cantilever{solid()};
-	World& m_world = m_cantilever.m_world;
-	btElasticPlasticStatistics m_taken;
-
-	static ParkesCantilever::Settings solid()
-	{
-		ParkesCantilever::Settings settings;
-		settings.member.collides = true;
-		return settings;
-	}
-
-	BusyCantilever() { takeInnerSteps(m_world, 1e-5, 16); }
-
-	/// On its first block.
-	void addBox()
-	{
-		m_world.bullet().setGravity(btVector3(0, btScalar(-9.81), 0));
-		const btRigidBody& first = m_cantilever.m_member.first();
-		btVector3 low, high;
-		first.getAabb(low, high);
-		const btVector3 size = btVector3(1, 1, 1) * (high.x() - low.x()) / 2;
-		m_world.body(1, m_world.box(size), at(first.getCenterOfMassPosition().x(), high.y() + size.y() / 2));
-	}
-
-	void step(int times = 1)
-	{
-		for (int i = 0; i < times; ++i)
-		{
-			solverOf(m_world).resetStatistics();
-			m_world.step(FRAME);
-		}
-		m_taken = statisticsOf(m_world);
-	}
-
-	void allowWork(long long work)
-	{
-		btElasticPlasticSolverSettings settings = solverOf(m_world).getSettings();
-		settings.m_maxInnerWork = work;
-		ASSERT_TRUE(solverOf(m_world).setSettings(settings));
-	}
-
-	int countPoints() const
-	{
-		int points = 0;
-		btDispatcher& dispatcher = *m_world.bullet().getDispatcher();
-		for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
-			points += dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
-		return points;
-	}
-};
-
 TEST(InnerSteps, AreNotTakenWhereContactsTakeTheWorkForThem)
 {
-	BusyCantilever cantilever;
-	cantilever.addBox();
-	cantilever.step(4);
-	ASSERT_EQ(cantilever.m_taken.m_innerSteps, 16);
-	ASSERT_GT(cantilever.countPoints(), 0);
+	// A cantilever with a box on its first block is struck at its end; it takes sixteen inner steps in each step of the world, and would take more.
+	World world(Solver::Direct);
+	addCantilever(world).setLinearVelocity(btVector3(0, -25, 0));
+	world.body(1, world.box(btVector3(1, 1, 1) * btScalar(0.02)), at(0.025, 0.02));
+	takeInnerSteps(world, 1e-5, 16);
+	const auto countInStep = [&]
+	{
+		solverOf(world).resetStatistics();
+		world.step(FRAME);
+		return statisticsOf(world).m_innerSteps;
+	};
+	run(world, 3);
+	ASSERT_EQ(countInStep(), 16);
+	ASSERT_GT(countContactPoints(world), 0);
 	// What eight inner steps of the joints take at the least, as the settings document it.
-	cantilever.allowWork(4000 * static_cast<long long>(cantilever.m_world.joints().size()));
-	cantilever.step();
-	EXPECT_EQ(cantilever.m_taken.m_innerSteps, 0);
+	allowInnerWork(world, 4000 * static_cast<long long>(world.joints().size()));
+	EXPECT_EQ(countInStep(), 0);
 }
 
 /// A beam that is struck at its tip, beside 300 loose boxes on the ground.

@@ -211,21 +211,21 @@ void forgetTension(const SolverGroup& island)
 			island.m_joints[i]->m_step.forgetTension();
 }
 
-/// Whether there is the work for the fewest inner steps, contacts included.
-bool hasWorkFor(const SolverGroup& island, const btElasticPlasticSolverSettings& settings)
+long long countPoints(const SolverGroup& island)
 {
 	long long points = 0;
 	for (int i = 0; i < island.m_numManifolds; ++i)
 		points += island.m_manifolds[i]->getNumContacts();
-	const long long least = LEAST_WORK_A_JOINT * island.m_numConstraints + LEAST_WORK_A_POINT * points;
-	return least << LEAST_LEVEL <= settings.m_maxInnerWork;
+	return points;
+}
+
+/// Whether the settings ask for inner steps, and there is the work for the fewest of them.
+bool mayBeTaken(int numConstraints, long long points, const btElasticPlasticSolverSettings& settings)
+{
+	const long long least = LEAST_WORK_A_JOINT * numConstraints + LEAST_WORK_A_POINT * points;
+	return InnerSteps::areAsked(settings) && least << LEAST_LEVEL <= settings.m_maxInnerWork;
 }
 }  // namespace
-
-bool InnerSteps::mayBeTaken(int numConstraints, const btElasticPlasticSolverSettings& settings)
-{
-	return areAsked(settings) && LEAST_WORK_A_JOINT * numConstraints << LEAST_LEVEL <= settings.m_maxInnerWork;
-}
 
 bool InnerSteps::areAsked(const btElasticPlasticSolverSettings& settings)
 {
@@ -234,7 +234,7 @@ bool InnerSteps::areAsked(const btElasticPlasticSolverSettings& settings)
 
 bool InnerSteps::mayBounce(int numConstraints, const btElasticPlasticSolverSettings& settings)
 {
-	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL && mayBeTaken(numConstraints, settings);
+	return settings.m_maxInnerSteps >= 1 << BOUNCE_LEVEL && mayBeTaken(numConstraints, 0, settings);
 }
 
 void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& info,
@@ -242,7 +242,8 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 					   Solution& solution)
 {
 	Task task = {island, info, settings, statistics, solution, statistics.m_work, levelOf(settings.m_maxInnerSteps)};
-	const bool isStep = info.m_timeStep > 0, hasRoom = isStep && areAsked(settings) && hasWorkFor(island, settings);
+	const bool isStep = info.m_timeStep > 0,
+			   hasRoom = isStep && mayBeTaken(island.m_numConstraints, countPoints(island), settings);
 	// Ropes are told when tension comes on and when the step changes, whether there may be inner steps or not.
 	const bool isLookedAt = hasRoom || (isStep && mayGoBack(settings) && hasRope(island));
 	JointRegistry* const registry = isLookedAt ? beginJoints(island) : nullptr;
@@ -363,11 +364,13 @@ bool InnerSteps::isStruck(const Task& task, int level) const
 	const double taken = level < BLOW_LEVEL ? m_state.getTaken() : 0;
 	if (!(taken > 0))
 		return false;
-	const double energy = taken + m_state.getKineticEnergy(), yieldEnergy = yieldEnergyOf(task.m_island);
-	if (taken > STRONG_BLOW * yieldEnergy)
-		return taken > task.m_settings.m_innerError * energy;
+	const double energy = taken + m_state.getKineticEnergy();
 	// One that comes late in the step has taken but a part of its blow.
-	return taken > LATE_BLOW * energy && energy > LATE_BLOW_ENERGY * yieldEnergy;
+	const bool mayBeStrong = taken > task.m_settings.m_innerError * energy, mayBeLate = taken > LATE_BLOW * energy;
+	if (!mayBeStrong && !mayBeLate)
+		return false;
+	const double yieldEnergy = yieldEnergyOf(task.m_island);
+	return taken > STRONG_BLOW * yieldEnergy ? mayBeStrong : mayBeLate && energy > LATE_BLOW_ENERGY * yieldEnergy;
 }
 
 /// It is calm but not still: longer steps damp it.

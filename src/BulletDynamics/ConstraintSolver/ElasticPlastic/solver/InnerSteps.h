@@ -39,10 +39,7 @@ public:
 		~Solution() {}
 	};
 
-	/// Whether there may be inner steps for an island of so many constraints: the settings ask for them, and it is not too large for the work that they allow.
-	static bool mayBeTaken(int numConstraints, const btElasticPlasticSolverSettings& settings);
-
-	/// Whether the settings ask for them, for islands that are not too large.
+	/// Whether the settings ask for inner steps, for islands that are not too large.
 	static bool areAsked(const btElasticPlasticSolverSettings& settings);
 
 	/// Whether there may be enough of them for what bounces: with fewer it is to touch before it does.

@@ -229,11 +229,11 @@ void IslandState::endShift(btScalar later)
 		const btScalar square = gravity.length2();
 		if (!(square > 0))
 			continue;
-		const btVector3& velocity = body.m_body->getLinearVelocity();
-		const btScalar falls = velocity.dot(gravity) / square,
-					   gained = falls - body.m_linear.dot(gravity) / square - body.m_ahead,
-					   freely = btMax(btMin(gained / m_dt, btScalar(1)), btScalar(0));
-		shift(body, -btMin(freely * body.m_ahead, btMax(falls, btScalar(0))));
+		// The times for which it would have to fall freely for its speed, and for what it has gained in the step.
+		const btScalar fallTime = body.m_body->getLinearVelocity().dot(gravity) / square,
+					   gainTime = fallTime - body.m_linear.dot(gravity) / square - body.m_ahead,
+					   freely = btMax(btMin(gainTime / m_dt, btScalar(1)), btScalar(0));
+		shift(body, -btMin(freely * body.m_ahead, btMax(fallTime, btScalar(0))));
 	}
 }
 
