@@ -34,6 +34,20 @@ btScalar forceBetween(const JointModel& model, int dof, btScalar A, btScalar tim
 	return square > 1 ? state.m_applied[dof] + (moment - state.m_applied[dof]) / square : moment;
 }
 
+/// What impulses give to bodies: a share s of them gives s (first + s second) [J].
+struct GivenEnergy
+{
+	double m_first = 0, m_second = 0;
+
+	/// The largest share, up to 1, that gives none.
+	btScalar shareWithoutGain() const
+	{
+		if (m_first + m_second <= 0)
+			return 1;
+		return m_first < 0 ? btScalar(-m_first / m_second) : btScalar(0);
+	}
+};
+
 /// By component what two loads have in common.
 btVector3 lesserOf(const btVector3& a, const btVector3& b)
 {
@@ -185,28 +199,31 @@ void JoinedShift::apply()
 	bookWork(share);
 }
 
-/// The share of all that is given: all of it, unless the joints would give energy. Nothing of what is beyond all numbers.
+/// The share of all that is given: all of it, unless both the joints and they together with the loads would give energy. Of a structure that falls as it yields loads give to what
+/// is later, and joints what is less to what is earlier: only one of the two would add up. Nothing of what is beyond all numbers.
 btScalar JoinedShift::findShare() const
 {
-	// With a share s joints give s (first + s second).
-	double first = 0, second = 0, squares = 0;
+	GivenEnergy ofJoints, ofAll;
+	double squares = 0;
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		const Body& body = m_bodies[i];
 		if (body.m_isLeftOut)
 			continue;
-		first += double(body.m_impulse.dot(body.m_body->getLinearVelocity())) +
-				 double(body.m_twist.dot(body.m_body->getAngularVelocity()));
-		second += 0.5 * (double(body.m_impulse.dot(body.m_linear)) + double(body.m_twist.dot(body.m_angular)));
-		squares += double(body.m_body->getLinearVelocity().length2() + body.m_body->getAngularVelocity().length2());
+		const btVector3 &v = body.m_body->getLinearVelocity(), &w = body.m_body->getAngularVelocity();
+		ofJoints.m_first += double(body.m_impulse.dot(v)) + double(body.m_twist.dot(w));
+		ofJoints.m_second +=
+			0.5 * (double(body.m_impulse.dot(body.m_linear)) + double(body.m_twist.dot(body.m_angular)));
+		ofAll.m_first += double(body.m_force.dot(v)) + double(body.m_torque.dot(w));
+		squares += double(v.length2() + w.length2());
 	}
+	ofAll.m_first += ofJoints.m_first;
+	ofAll.m_second = getEnergy();
 	for (int i = 0; i < m_joints.size(); ++i)
 		squares += double(m_joints[i].m_kinematics.m_rA.length2() + m_joints[i].m_kinematics.m_rB.length2());
-	if (!btElasticPlasticIsFinite(first + second + squares))
+	if (!btElasticPlasticIsFinite(ofAll.m_first + ofAll.m_second + ofJoints.m_second + squares))
 		return 0;
-	if (first + second <= 0)
-		return 1;
-	return first < 0 ? btScalar(-first / second) : btScalar(0);
+	return btMax(ofJoints.shareWithoutGain(), ofAll.shareWithoutGain());
 }
 
 double JoinedShift::getLoadWork(int body) const

@@ -22,7 +22,7 @@ namespace btElasticPlastic
 /// last step and still are.
 ///
 /// Forces that the long step has not resolved would be a blow: all shares are less by one factor where else the joints would give
-/// energy to the bodies.
+/// energy to the bodies, and the loads no less.
 class JoinedShift
 {
 public:
