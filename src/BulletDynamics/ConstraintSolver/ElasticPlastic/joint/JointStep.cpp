@@ -704,6 +704,26 @@ void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 		A.getAngularVelocity() - B.getAngularVelocity(), onAxes);
 }
 
+void JointStep::projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
+{
+	const auto towardsMiddle = [](const btVector3& spin, const btVector3& arm) { return spin.cross(spin.cross(arm)); };
+	// Where bodies turn as one, they part by so much as a step begins, and close by as much in it.
+	btScalar parting[BT_EP_DOF_COUNT];
+	m_kinematics.projectMotion(
+		(towardsMiddle(m_spin0[0], m_kinematics.m_rA) - towardsMiddle(m_spin0[1], m_kinematics.m_rB)) * (m_dt / 2),
+		btVector3(0, 0, 0), parting);
+	const auto without = [](btScalar rate, btScalar turn)
+	{ return rate - btClamped(rate, btMin(turn, btScalar(0)), btMax(turn, btScalar(0))); };
+	projectVelocities(after);
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	{
+		before[i] = 0;
+		after[i] = without(after[i], -parting[i]);
+	}
+	for (int r = 0; r < m_numRows; ++r)
+		before[m_row[r].m_dof] = without(m_row[r].m_velocity0, parting[m_row[r].m_dof]);
+}
+
 /// J v of all degrees of freedom, and the relative angular velocity, with which the bodies were moved: other actions may have changed
 /// the present velocities already.
 void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) const

@@ -168,6 +168,13 @@ public:
 	bool foreseeTension();
 	void forgetTension() { m_isTensionKnown = false; }
 
+	// ---- of a step that has been solved, before commit()
+
+	/// J v of all degrees of freedom, before and after it, but for what turning bodies have of it: a step of straight motion leaves their circles, and the next one
+	/// comes back. A shorter one does so in less time, and that is nothing that it would mend.
+	/// \param before  0 where there is no row
+	void projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
+
 	/// Forgets the step: the state stays as it was committed last.
 	void revert() { m_numRows = 0; }
 

@@ -156,13 +156,10 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 			*isTaut |= works->m_step.foreseeTension();
 		OpenShare::Motion motion = {};
 		motion.m_path = state.m_plasticPath;
-		step.projectVelocities(motion.m_after);
+		step.projectMotion(motion.m_before, motion.m_after);
 		const btScalar rate = 1 / step.getTimeStep();
 		for (int r = 0; r < step.getNumRows(); ++r)
-		{
-			motion.m_before[step.getDof(r)] = -step.getRateBefore(r);
 			motion.m_force[step.getDof(r)] = step.getImpulse(r) * rate;
-		}
 		if (OpenShare::isClear(works->m_model.m_capacity, motion, btScalar(length), btScalar(ahead)))
 			continue;
 		const double place = double(works->m_model.bodyA().getCenterOfMassPosition().length()) + 1;
@@ -170,7 +167,7 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 		{
 			const int dof = step.getDof(r);
 			open.addRow(works->m_model.m_capacity,
-						{dof, step.getRateBefore(r), -motion.m_after[dof], step.getImpulse(r) / step.getTimeStep(),
+						{dof, -motion.m_before[dof], -motion.m_after[dof], step.getImpulse(r) / step.getTimeStep(),
 						 state.m_plastic[dof], state.m_plasticPath[dof], step.isFlowing(r)},
 						length, ahead, place);
 		}
