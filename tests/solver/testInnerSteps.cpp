@@ -880,6 +880,76 @@ TEST(InnerSteps, WhatRingsClearOfYieldNeedsFew)
 	EXPECT_LT(statisticsOf(world).m_innerSteps, 64);
 }
 
+TEST(InnerSteps, WhatSwingsAsOneNeedsNone)
+{
+	// An arm of steel on a pivot, at 0.1 to 2 % of its yield value, with and without a load at its end: steps of straight motion leave its circle, and shorter ones
+	// would take that back.
+	for (const bool isHinge : {false, true})
+		for (const int parts : {2, 3, 6})
+			for (const double load : {0., 2000.})
+			{
+				World world(Solver::Direct, btVector3(0, -10, 0));
+				takeInnerSteps(world);
+				Member::Settings settings;
+				settings.parts = parts;
+				const double angle = 1.3, length = 0.5 * parts;
+				const btTransform start(btQuaternion(btVector3(0, 0, 1), btScalar(angle - SIMD_HALF_PI)),
+										btVector3(1, 2, 3));
+				Member arm(world, settings, start, btScalar(length));
+				const double partMass = 1 / double(arm.last().getInvMass());
+				arm.last().setMassProps(btScalar(partMass + load), arm.last().getLocalInertia());
+				btRigidBody& ground = *world.body(0, world.box(btVector3(1, 1, 1)), start, false);
+				if (isHinge)
+				{
+					const btTransform end = arm.first().getCenterOfMassTransform().inverse() * start;
+					world.add(new btHingeConstraint(arm.first(), ground, end.getOrigin(), btVector3(0, 0, 0),
+													btVector3(0, 0, 1), btVector3(0, 0, 1)));
+				}
+				else
+				{
+					btElasticPlasticCapacity ball;
+					for (int dof = 0; dof < 3; ++dof)
+						ball.set(dof, btScalar(4e9), btScalar(2e6), btScalar(0.01));
+					world.joint(ground, arm.first(), start, ball);
+				}
+				const double fall =
+					10 * (1 - std::cos(angle)) * (partMass * parts * length / 2 + load * (length - 0.25));
+				double most = 0;
+				for (int i = 0; i < 300; ++i)
+				{
+					world.step(FRAME);
+					most = std::max(most, world.kineticEnergy());
+				}
+				SCOPED_TRACE(testing::Message() << parts << " parts, " << load << " kg, hinge " << isHinge);
+				EXPECT_EQ(0, statisticsOf(world).m_innerSteps);
+				// Of a pendulum that stands for half a step at its lowest point, and loses 1 % in a swing by what the pivot's own row does.
+				EXPECT_NEAR(1, most / fall, 0.01);
+			}
+}
+
+TEST(InnerSteps, WhatSpinsAsOneNeedsNone)
+{
+	// A bar of 6 m that is set spinning by up to 0.2 rad a step, and bears by itself what holds it on its circle: 2.5 MPa at 10 rad/s.
+	for (const double spin : {3., 6., 10., 12.})
+	{
+		World world(Solver::Direct, btVector3(0, 0, 0));
+		takeInnerSteps(world);
+		Member::Settings settings;
+		settings.parts = 12;
+		Member bar(world, settings, btTransform(btQuaternion(btVector3(1, 1, 0).normalized(), 1)), 6);
+		const btVector3 middle = bar.node(6).getOrigin(),
+						axis = bar.node(6).getBasis() * btVector3(0, btScalar(0.6), btScalar(0.8));
+		for (const auto& body : world.bodies())
+		{
+			body->setAngularVelocity(axis * btScalar(spin));
+			body->setLinearVelocity(body->getAngularVelocity().cross(body->getCenterOfMassPosition() - middle));
+		}
+		run(world, 60);
+		EXPECT_EQ(0, statisticsOf(world).m_innerSteps) << spin;
+		EXPECT_EQ(0, plasticEnergy(world)) << spin;
+	}
+}
+
 /// Two bodies on a spring of a material that damps, with two periods a step of the world. A blow makes it flow, and leaves it ringing at yield.
 struct Ringing
 {
@@ -1399,7 +1469,7 @@ TEST(InnerSteps, DoNotHurryConstraintsThatReduceErrorsThemselves)
 					row.m_world.bullet().removeConstraint(cone.get());
 				}
 			}
-	EXPECT_GT(innerSteps, 1000);
+	EXPECT_GT(innerSteps, 100);
 }
 
 bool reduceErrorsByMost(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,

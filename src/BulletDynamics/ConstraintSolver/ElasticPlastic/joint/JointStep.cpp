@@ -706,22 +706,28 @@ void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 
 void JointStep::projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
 {
+	// Where bodies turn as one, they part at such a rate as a step begins, twice as fast if nobody has held them on their circles in the last one, and close by as much in it;
+	// but for a share of a turn in any direction.
 	const auto towardsMiddle = [](const btVector3& spin, const btVector3& arm) { return spin.cross(spin.cross(arm)); };
-	// Where bodies turn as one, they part by so much as a step begins, and close by as much in it.
-	btScalar parting[BT_EP_DOF_COUNT];
-	m_kinematics.projectMotion(
-		(towardsMiddle(m_spin0[0], m_kinematics.m_rA) - towardsMiddle(m_spin0[1], m_kinematics.m_rB)) * (m_dt / 2),
-		btVector3(0, 0, 0), parting);
-	const auto without = [](btScalar rate, btScalar turn)
-	{ return rate - btClamped(rate, btMin(turn, btScalar(0)), btMax(turn, btScalar(0))); };
+	const btVector3 parting =
+		(towardsMiddle(m_spin0[0], m_kinematics.m_rA) - towardsMiddle(m_spin0[1], m_kinematics.m_rB)) * (m_dt / 2);
+	const btScalar turn = m_dt * btSqrt(btMax(m_spin0[0].length2(), m_spin0[1].length2())),
+				   beside = turn * parting.length();
+	btScalar ofTurn[BT_EP_DOF_COUNT];
+	m_kinematics.projectMotion(parting, btVector3(0, 0, 0), ofTurn);
+	const auto without = [&](int dof, btScalar rate, btScalar times)
+	{
+		const btScalar most = times * ofTurn[dof], slack = dof < 3 ? btFabs(times) * beside : btScalar(0);
+		return rate - btClamped(rate, btMin(most, btScalar(0)) - slack, btMax(most, btScalar(0)) + slack);
+	};
 	projectVelocities(after);
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 	{
 		before[i] = 0;
-		after[i] = without(after[i], -parting[i]);
+		after[i] = without(i, after[i], -1);
 	}
 	for (int r = 0; r < m_numRows; ++r)
-		before[m_row[r].m_dof] = without(m_row[r].m_velocity0, parting[m_row[r].m_dof]);
+		before[m_row[r].m_dof] = without(m_row[r].m_dof, m_row[r].m_velocity0, 2);
 }
 
 /// J v of all degrees of freedom, and the relative angular velocity, with which the bodies were moved: other actions may have changed
