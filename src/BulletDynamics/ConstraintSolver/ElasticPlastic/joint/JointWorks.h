@@ -115,6 +115,9 @@ public:
 	/// \param impulses, bounds  of the step's rows, then of its fibres; a bound is -1, 0 or 1, and null stands for 0 throughout
 	void finishAlone(const double* impulses, const signed char* bounds);
 
+	/// Whether it holds its bodies together: it is not broken, and nothing is wrong with it.
+	bool holds() const { return !m_model.m_fault && !m_model.m_state.m_broken; }
+
 	/// Ends an inner step within the solver. The registry gets what has come of all of them by commit().
 	/// \param share  of the world's step
 	void commitInside(double share);

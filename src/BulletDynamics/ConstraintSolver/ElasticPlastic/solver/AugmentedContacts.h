@@ -4,6 +4,8 @@
 #ifndef BT_ELASTIC_PLASTIC_AUGMENTED_CONTACTS_H
 #define BT_ELASTIC_PLASTIC_AUGMENTED_CONTACTS_H
 
+#include <math.h>
+
 #include <vector>
 
 #include "AdmissibleBox.h"
@@ -61,6 +63,7 @@ private:
 		double m_softening = 0;   ///< c
 		double m_slip = 0;        ///< velocity that the last loop has left
 		double m_leastSoftening = 0;
+		double m_slipAsHardened = HUGE_VAL;  ///< when it was made harder last
 	};
 
 	std::vector<State> m_states;

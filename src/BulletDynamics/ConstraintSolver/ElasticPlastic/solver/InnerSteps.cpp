@@ -85,8 +85,6 @@ btElasticPlasticState::InnerRhythm rhythmOf(const SolverGroup& island)
 	return rhythm;
 }
 
-bool holds(const JointWorks& joint) { return !joint.m_model.m_fault && !joint.m_model.m_state.m_broken; }
-
 /// Begins a step that may have inner ones. \return the joints' action, null if they do not have one in common that ends their steps, or if none of them holds: of
 /// rubble nothing is left that a blow could bend
 JointRegistry* beginJoints(const SolverGroup& island)
@@ -100,7 +98,7 @@ JointRegistry* beginJoints(const SolverGroup& island)
 		if (!joint)
 			continue;
 		const bool isEnded = joint->beginInside();
-		if (!holds(*joint))
+		if (!joint->holds())
 			continue;
 		registry = registry ? registry : joint->m_entry.m_registry;
 		isOne &= isEnded && joint->m_entry.m_registry == registry && !joint->m_model.m_isPaper;
@@ -123,7 +121,7 @@ double yieldEnergyOf(const SolverGroup& island)
 	double sum = 0;
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
-		if (!island.m_joints[i] || !holds(*island.m_joints[i]))
+		if (!island.m_joints[i] || !island.m_joints[i]->holds())
 			continue;
 		const btElasticPlasticCapacity& capacity = island.m_joints[i]->m_model.m_capacity;
 		double least = SIMD_INFINITY;

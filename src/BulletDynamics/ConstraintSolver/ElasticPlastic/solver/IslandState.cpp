@@ -558,9 +558,22 @@ void IslandState::finish(int steps, std::vector<BodyMotion>& motions)
 		body.predictIntegratedTransform(m_dt, motion.m_moved);
 		motions.push_back(motion);
 	}
-	for (int i = 0; i < m_points.size(); ++i)
-		leave(m_points[i], m_points[i].m_sum);
+	leavePoints();
 	releaseKinematicBodies();
+}
+
+/// Where no joint holds any more the next step is Bullet's, whose iterations begin with the impulses that points have: the sum of what has pressed rubble in all inner steps would
+/// throw it.
+void IslandState::leavePoints()
+{
+	bool doJointsHold = false;
+	for (int i = 0; i < m_joints.size(); ++i)
+		doJointsHold |= m_joints[i].m_works->holds();
+	for (int i = 0; i < m_points.size(); ++i)
+	{
+		btScalar last[3];
+		leave(m_points[i], doJointsHold ? m_points[i].m_sum : impulsesOf(*m_points[i].m_point, last));
+	}
 }
 
 void IslandState::releaseKinematicBodies()

@@ -87,7 +87,7 @@ public:
 	/// After an inner step of h [s] has been solved: moves the bodies by their velocities.
 	void move(btScalar h);
 
-	/// Ends the step: bodies are where they were, with their mean velocity, and contact points have the sum of their impulses.
+	/// Ends the step: bodies are where they were, with their mean velocity, and contact points have the sum of their impulses, where no joint holds any more the last ones.
 	/// \param steps    how many inner steps it was
 	/// \param motions  gets how the bodies have moved
 	void finish(int steps, std::vector<BodyMotion>& motions);
@@ -138,6 +138,7 @@ private:
 	void addPoints(const SolverGroup& island);
 	void addKinematic(btRigidBody& body);
 	void bookWork(const Point& point);
+	void leavePoints();
 	static void leave(const Point& point, const btScalar* impulses);
 	static void shift(Body& body, btScalar later);
 	void findTouched();
