@@ -14,14 +14,13 @@ namespace
 // A loop leaves about c / (c + A) of a contact's slip, where A is that of the contact within the structure. Where a light
 // foot carries thousands of times its weight, that is nearly all of it. Contacts that improve little after some loops are
 // therefore made harder. If all of them were as hard from the start, Newton's method would need many steps.
-const int PATIENT_LOOPS = 4;     // the first loops, in which a contact may improve little
-const double LITTLE_GAIN = 0.5;  // a contact improves little if a loop leaves more than this share of its slip
-const double HARDENING = 0.1;    // the share of the softening that is left when a contact is made harder
-// What is between two bodies that close on each other whatever it does, a plate that is driven down and the ground, has contacts that are no better for being
-// harder: their impulses would only grow, by a million times.
-const double NO_GAIN =
-	0.9;  // a contact is no better if it leaves more than this share of its slip when it was made harder last
+const int PATIENT_LOOPS = 4;          // the first loops, in which a contact may improve little
+const double LITTLE_GAIN = 0.5;       // a contact improves little if a loop leaves more than this share of its slip
+const double HARDENING = 0.1;         // the share of the softening that is left when a contact is made harder
 const double LEAST_SOFTENING = 1e-6;  // the least softening, as a share of the first one
+/// Beyond so many times the momentum of all bodies at the fastest approach no contact is made harder: what is between two bodies that close on each other
+/// whatever it does, a plate that is driven down and the ground, has contacts that no impulse fulfils, and they would only grow, by a million times.
+const double MOST_IMPULSE = 100;
 /// The change of a friction bound that asks for another loop, as a share of the largest bound.
 const double FRICTION_TOLERANCE = 0.01;
 /// The least compliance of a hard row, as a share of its softened one.
@@ -42,8 +41,15 @@ void AugmentedContacts::begin(SystemInput& input, const AdmissibleBox& box)
 		m_states[i].m_softening = row.m_softening;
 		m_states[i].m_leastSoftening = LEAST_SOFTENING * row.m_softening;
 	}
-	if (m_isAny)
-		tighten(input, box, 0, 0);
+	if (!m_isAny)
+		return;
+	double fastest = 0, mass = 0;
+	for (const State& state : m_states)
+		fastest = std::max(fastest, state.m_target);
+	for (const SystemInput::Body& body : input.m_bodies)
+		mass += body.m_mass[0];
+	m_mostImpulse = MOST_IMPULSE * mass * fastest;
+	tighten(input, box, 0, 0);
 }
 
 AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const AdmissibleBox& box, int loop,
@@ -67,11 +73,10 @@ AugmentedContacts::Progress AugmentedContacts::tighten(SystemInput& input, const
 		slip = std::max(slip, rest);
 		state.m_multiplier = box.getImpulse(r);
 		const bool isStuck = loop > PATIENT_LOOPS && rest > LITTLE_GAIN * state.m_slip && rest > tolerance * fastest;
-		if (isStuck && rest < NO_GAIN * state.m_slipAsHardened && state.m_softening > state.m_leastSoftening)
+		if (isStuck && state.m_multiplier < m_mostImpulse && state.m_softening > state.m_leastSoftening)
 		{
 			row.m_compliance -= (1 - HARDENING) * state.m_softening;
 			state.m_softening *= HARDENING;
-			state.m_slipAsHardened = rest;
 			progress.m_hasChangedMatrix = m_hasHardened = true;
 		}
 		state.m_slip = rest;

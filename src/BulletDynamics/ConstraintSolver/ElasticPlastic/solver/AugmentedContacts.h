@@ -4,8 +4,6 @@
 #ifndef BT_ELASTIC_PLASTIC_AUGMENTED_CONTACTS_H
 #define BT_ELASTIC_PLASTIC_AUGMENTED_CONTACTS_H
 
-#include <math.h>
-
 #include <vector>
 
 #include "AdmissibleBox.h"
@@ -63,11 +61,11 @@ private:
 		double m_softening = 0;   ///< c
 		double m_slip = 0;        ///< velocity that the last loop has left
 		double m_leastSoftening = 0;
-		double m_slipAsHardened = HUGE_VAL;  ///< when it was made harder last
 	};
 
 	std::vector<State> m_states;
 	bool m_isAny = false, m_hasHardened = false;
+	double m_mostImpulse = 0;  ///< of a contact that is made harder
 };
 }  // namespace btElasticPlastic
 
