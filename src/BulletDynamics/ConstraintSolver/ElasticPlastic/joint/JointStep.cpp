@@ -19,6 +19,8 @@ const btScalar SHARE_OF_A_BLOW = btScalar(1) / 32;
 const btScalar WELL_RESOLVED = btScalar(0.1);
 /// What a row has done before a blow does not count below this share of what it does in the first step.
 const btScalar SHARE_AT_REST = btScalar(1e-3);
+/// The most that bodies turn by as one in a step for that to be left out of what the step leaves open [rad].
+const btScalar MOST_TURN = btScalar(0.35);
 }  // namespace
 
 // ---- pose and step -> rows
@@ -706,28 +708,46 @@ void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 
 void JointStep::projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
 {
-	// Where bodies turn as one, they part at such a rate as a step begins, twice as fast if nobody has held them on their circles in the last one, and close by as much in it;
-	// but for a share of a turn in any direction.
+	bool flows = false;
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		before[i] = 0;
+	for (int r = 0; r < m_numRows; ++r)
+	{
+		before[m_row[r].m_dof] = m_row[r].m_velocity0;
+		flows |= isFlowing(r);
+	}
+	projectVelocities(after);
+	if (!flows)
+		leaveTurnOut(before, after);
+}
+
+/// Where bodies turn as one, they part at some rate as a step begins, twice as fast if nobody has held them on their circles in the last one, and close by as much in it; but for
+/// a share of a turn in any direction. A turn that a blow gives or takes is none, and one that is too fast hides what a blow does.
+void JointStep::leaveTurnOut(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
+{
+	const auto lasting = [](const btVector3& one, const btVector3& other)
+	{ return one.length2() < other.length2() ? one : other; };
+	const btVector3 spins[2] = {lasting(m_spin0[0], m_model.bodyA().getAngularVelocity()),
+								lasting(m_spin0[1], m_model.bodyB().getAngularVelocity())};
 	const auto towardsMiddle = [](const btVector3& spin, const btVector3& arm) { return spin.cross(spin.cross(arm)); };
 	const btVector3 parting =
-		(towardsMiddle(m_spin0[0], m_kinematics.m_rA) - towardsMiddle(m_spin0[1], m_kinematics.m_rB)) * (m_dt / 2);
-	const btScalar turn = m_dt * btSqrt(btMax(m_spin0[0].length2(), m_spin0[1].length2())),
+		(towardsMiddle(spins[0], m_kinematics.m_rA) - towardsMiddle(spins[1], m_kinematics.m_rB)) * (m_dt / 2);
+	const btScalar turn = m_dt * btSqrt(btMax(spins[0].length2(), spins[1].length2())),
 				   beside = turn * parting.length();
+	if (turn > MOST_TURN)
+		return;
 	btScalar ofTurn[BT_EP_DOF_COUNT];
 	m_kinematics.projectMotion(parting, btVector3(0, 0, 0), ofTurn);
-	const auto without = [&](int dof, btScalar rate, btScalar times)
+	const auto without = [&](btScalar rate, int dof, btScalar times)
 	{
-		const btScalar most = times * ofTurn[dof], slack = dof < 3 ? btFabs(times) * beside : btScalar(0);
+		const btScalar most = times * ofTurn[dof], slack = btFabs(times) * beside;
 		return rate - btClamped(rate, btMin(most, btScalar(0)) - slack, btMax(most, btScalar(0)) + slack);
 	};
-	projectVelocities(after);
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+	for (int i = BT_EP_AXIAL; i <= BT_EP_SHEAR_Z; ++i)
 	{
-		before[i] = 0;
-		after[i] = without(i, after[i], -1);
+		before[i] = without(before[i], i, 2);
+		after[i] = without(after[i], i, -1);
 	}
-	for (int r = 0; r < m_numRows; ++r)
-		before[m_row[r].m_dof] = without(m_row[r].m_dof, m_row[r].m_velocity0, 2);
 }
 
 /// J v of all degrees of freedom, and the relative angular velocity, with which the bodies were moved: other actions may have changed

@@ -170,8 +170,8 @@ public:
 
 	// ---- of a step that has been solved, before commit()
 
-	/// J v of all degrees of freedom, before and after it, but for what turning bodies have of it: a step of straight motion leaves their circles, and the next one
-	/// comes back. A shorter one does so in less time, and that is nothing that it would mend.
+	/// J v of all degrees of freedom, before and after it. Where nothing flows, but for what turning bodies have of it: a step of straight motion leaves their circles, and the next
+	/// one comes back. A shorter one does so in less time, and that is nothing that it would mend.
 	/// \param before  0 where there is no row
 	void projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
 
@@ -261,6 +261,7 @@ private:
 	void returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar cutForce(int r) const;
 	ReturnMapping mapCut(int r) const;
+	void leaveTurnOut(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
 	void limitFlow(double work, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
 	void takeBackKinematicMotion();
