@@ -192,6 +192,15 @@ public:
 	btScalar getRateBefore(int r) const { return -m_row[r].m_velocity0; }
 	btScalar getRateAfter(int r) const { return -m_row[r].m_velocity1; }
 
+	/// Whether anything was at its bound in the last solution.
+	bool isAnyAtBound() const
+	{
+		bool isAny = m_model.usesFibres() && m_fibres.isAnyAtBound();
+		for (const signed char bound : m_lastBound)
+			isAny |= bound != 0;
+		return isAny;
+	}
+
 	/// By degree of freedom: -1, 0 or 1. The next step's search for the rows at their bounds begins with them.
 	const signed char* getLastBounds() const { return m_lastBound; }
 	void setLastBound(int dof, signed char bound) { m_lastBound[dof] = bound; }

@@ -72,6 +72,7 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 {
 	m_joints.resize(0);
 	m_bodies.resize(0);
+	m_isAnyAtBound = false;
 	const btVector3 zero(0, 0, 0);
 	for (btRigidBody* body : bodies)
 	{
@@ -104,6 +105,7 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 
 void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 {
+	m_isAnyAtBound |= works.m_step.isAnyAtBound();
 	const btElasticPlasticState& state = works.m_model.m_state;
 	const btScalar time = (state.m_lastStep - h) / 2;
 	Joint joint = {&works, {bodies[0], bodies[1]}, Kinematics(), btVector3(0, 0, 0), btVector3(0, 0, 0)};
@@ -199,8 +201,8 @@ void JoinedShift::apply()
 	bookWork(share);
 }
 
-/// The share of all that is given: all of it, unless both the joints and they together with the loads would give energy. Of a structure that falls as it yields loads give to what
-/// is later, and joints what is less to what is earlier: only one of the two would add up. Nothing of what is beyond all numbers.
+/// The share of all that is given: all of it, unless the joints would give energy. Where something flows, unless they together with the loads would, too: of a structure that falls as it
+/// yields loads give to what is later, and joints what is less to what is earlier, and only one of the two would add up. Nothing of what is beyond all numbers.
 btScalar JoinedShift::findShare() const
 {
 	GivenEnergy ofJoints, ofAll;
@@ -223,7 +225,8 @@ btScalar JoinedShift::findShare() const
 		squares += double(m_joints[i].m_kinematics.m_rA.length2() + m_joints[i].m_kinematics.m_rB.length2());
 	if (!btElasticPlasticIsFinite(ofAll.m_first + ofAll.m_second + ofJoints.m_second + squares))
 		return 0;
-	return btMax(ofJoints.shareWithoutGain(), ofAll.shareWithoutGain());
+	const btScalar share = ofJoints.shareWithoutGain();
+	return m_isAnyAtBound ? btMax(share, ofAll.shareWithoutGain()) : share;
 }
 
 double JoinedShift::getLoadWork(int body) const

@@ -22,7 +22,7 @@ namespace btElasticPlastic
 /// last step and still are.
 ///
 /// Forces that the long step has not resolved would be a blow: all shares are less by one factor where else the joints would give
-/// energy to the bodies, and the loads no less.
+/// energy to the bodies, where something flows they and the loads together, too.
 class JoinedShift
 {
 public:
@@ -78,6 +78,7 @@ private:
 
 	btAlignedObjectArray<Body> m_bodies;
 	btAlignedObjectArray<Joint> m_joints;
+	bool m_isAnyAtBound = false;  ///< of the joints' rows
 };
 }  // namespace btElasticPlastic
 
