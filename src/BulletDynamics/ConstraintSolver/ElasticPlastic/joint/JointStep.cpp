@@ -20,7 +20,7 @@ const btScalar WELL_RESOLVED = btScalar(0.1);
 /// What a row has done before a blow does not count below this share of what it does in the first step.
 const btScalar SHARE_AT_REST = btScalar(1e-3);
 /// The most that bodies turn by as one in a step for that to be left out of what the step leaves open [rad].
-const btScalar MOST_TURN = btScalar(0.35);
+const btScalar MOST_TURN_AS_ONE = btScalar(0.35);
 }  // namespace
 
 // ---- pose and step -> rows
@@ -734,7 +734,7 @@ void JointStep::leaveTurnOut(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT
 		(towardsMiddle(spins[0], m_kinematics.m_rA) - towardsMiddle(spins[1], m_kinematics.m_rB)) * (m_dt / 2);
 	const btScalar turn = m_dt * btSqrt(btMax(spins[0].length2(), spins[1].length2())),
 				   beside = turn * parting.length();
-	if (turn > MOST_TURN)
+	if (turn > MOST_TURN_AS_ONE)
 		return;
 	btScalar ofTurn[BT_EP_DOF_COUNT];
 	m_kinematics.projectMotion(parting, btVector3(0, 0, 0), ofTurn);
