@@ -25,6 +25,18 @@ const double MOST_IMPULSE = 100;
 const double FRICTION_TOLERANCE = 0.01;
 /// The least compliance of a hard row, as a share of its softened one.
 const double HARDEST = 1e-10;
+
+/// Of all bodies, those included that have been eliminated [kg].
+double massOf(const SystemInput& input)
+{
+	double mass = 0;
+	for (const SystemInput::Body& body : input.m_bodies)
+		mass += body.m_mass[0];
+	const size_t order = 6 * input.m_condensed.m_bodies.size();
+	for (size_t i = 0; i < order; i += 6)
+		mass += input.m_condensed.m_matrix[i * order + i];
+	return mass;
+}
 }  // namespace
 
 void AugmentedContacts::begin(SystemInput& input, const AdmissibleBox& box)
@@ -43,12 +55,10 @@ void AugmentedContacts::begin(SystemInput& input, const AdmissibleBox& box)
 	}
 	if (!m_isAny)
 		return;
-	double fastest = 0, mass = 0;
+	double fastest = 0;
 	for (const State& state : m_states)
 		fastest = std::max(fastest, state.m_target);
-	for (const SystemInput::Body& body : input.m_bodies)
-		mass += body.m_mass[0];
-	m_mostImpulse = MOST_IMPULSE * mass * fastest;
+	m_mostImpulse = MOST_IMPULSE * massOf(input) * fastest;
 	tighten(input, box, 0, 0);
 }
 
