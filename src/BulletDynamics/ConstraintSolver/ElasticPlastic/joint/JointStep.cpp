@@ -708,15 +708,29 @@ void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 
 void JointStep::projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
 {
+	projectVelocities(after);
+	findMotion(m_numRows, before, after);
+}
+
+void JointStep::getMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
+{
+	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
+		after[i] = 0;
+	for (int r = 0; r < m_numCommittedRows; ++r)
+		after[m_row[r].m_dof] = m_row[r].m_velocity1;
+	findMotion(m_numCommittedRows, before, after);
+}
+
+void JointStep::findMotion(int numRows, btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
+{
 	bool flows = false;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
 		before[i] = 0;
-	for (int r = 0; r < m_numRows; ++r)
+	for (int r = 0; r < numRows; ++r)
 	{
 		before[m_row[r].m_dof] = m_row[r].m_velocity0;
 		flows |= isFlowing(r);
 	}
-	projectVelocities(after);
 	if (!flows)
 		leaveTurnOut(before, after);
 }

@@ -188,6 +188,8 @@ public:
 	// ---- the last committed step
 
 	int getNumCommittedRows() const { return m_numCommittedRows; }
+	/// As projectMotion().
+	void getMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
 	/// Rate at which the r-th row's deformation grew before and after it [m/s], [rad/s].
 	btScalar getRateBefore(int r) const { return -m_row[r].m_velocity0; }
 	btScalar getRateAfter(int r) const { return -m_row[r].m_velocity1; }
@@ -270,6 +272,7 @@ private:
 	void returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar cutForce(int r) const;
 	ReturnMapping mapCut(int r) const;
+	void findMotion(int numRows, btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
 	void leaveTurnOut(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
 	void limitFlow(double work, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;

@@ -29,6 +29,8 @@ const char SIGN = 0;
 btRigidBody* signOfQuestion() { return reinterpret_cast<btRigidBody*>(const_cast<char*>(&SIGN)); }
 }  // namespace
 
+const JointWorks& JointWorks::of(const btElasticPlasticJoint& joint) { return *joint.m_works; }
+
 JointWorks* JointWorks::from(btTypedConstraint* constraint)
 {
 	const btTypedConstraintType type = constraint->getConstraintType();

@@ -80,6 +80,7 @@ public:
 
 	/// Finds the works of a constraint without run-time type information. \return null if it is not elastic-plastic
 	static JointWorks* from(btTypedConstraint* constraint);
+	static const JointWorks& of(const btElasticPlasticJoint& joint);
 
 	// ---- for Bullet's class
 

@@ -5,6 +5,7 @@
 
 #include "../../btElasticPlasticJoint.h"
 #include "../joint/BodyGate.h"
+#include "../joint/JointWorks.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 
 namespace btElasticPlastic
@@ -52,10 +53,15 @@ void OpenWork::addJoints(const btAlignedObjectArray<btElasticPlasticJoint*>& joi
 		if (isAHeld || isHeld(b))
 			island.addSupport(isAHeld ? a : b, joint.getPosition());
 		const double place = double(joint.getPosition().length()) + 1, length = joint.getState().m_lastStep;
-		for (int r = 0; r < joint.getNumCommittedRows(); ++r)
+		const JointStep& step = JointWorks::of(joint).m_step;
+		btScalar before[BT_EP_DOF_COUNT], after[BT_EP_DOF_COUNT];
+		step.getMotion(before, after);
+		for (int r = 0; r < step.getNumCommittedRows(); ++r)
 		{
 			OpenShare::Row row;
-			joint.getCommittedRow(r, row.m_dof, row.m_before, row.m_after);
+			row.m_dof = step.getDof(r);
+			row.m_before = -before[row.m_dof];
+			row.m_after = -after[row.m_dof];
 			row.m_force = joint.getForce(row.m_dof);
 			row.m_plastic = joint.getPlasticDeformation(row.m_dof);
 			row.m_path = joint.getPlasticPath(row.m_dof);
