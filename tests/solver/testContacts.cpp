@@ -704,16 +704,13 @@ struct Press
 	double press(double speed, double depth)
 	{
 		const btScalar top = m_plate->getCenterOfMassPosition().y();
-		btDispatcher& dispatcher = *m_world.bullet().getDispatcher();
 		double most = 0;
 		for (int i = 1; i <= 60; ++i)
 		{
 			m_plate->setWorldTransform(at(0, double(top) - std::min(speed * i * double(FRAME), depth)));
 			m_world.step(FRAME);
-			for (int m = 0; m < dispatcher.getNumManifolds(); ++m)
-				for (int p = 0; p < dispatcher.getManifoldByIndexInternal(m)->getNumContacts(); ++p)
-					most = std::max(
-						most, double(dispatcher.getManifoldByIndexInternal(m)->getContactPoint(p).getAppliedImpulse()));
+			forEachContactPoint(m_world, [&](const btManifoldPoint& point)
+								{ most = std::max(most, double(point.getAppliedImpulse())); });
 		}
 		return most;
 	}

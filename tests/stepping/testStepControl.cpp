@@ -19,10 +19,10 @@
 #include "support/Precision.h"
 #include "problems/Catalogue.h"
 #include "world/EvenCapacity.h"
-#include "scenes/Member.h"
 #include "world/Place.h"
 #include "support/Run.h"
 #include "support/Repeats.h"
+#include "support/SwingingArm.h"
 
 namespace testStepControl
 {
@@ -104,29 +104,19 @@ TEST(StepControl, WhatFallsKeepsItsSpeedWhenTheSubstepChanges)
 
 TEST(StepControl, WhatSwingsAsOneNeedsOneSubstep)
 {
-	// An arm of steel on a ball joint: straight motion leaves its circle, and finer substeps would take that back.
-	World world(Solver::Direct, btVector3(0, -10, 0));
-	Member::Settings settings;
-	settings.parts = 6;
-	const double angle = 1.3, length = 3;
-	const btTransform start(btQuaternion(btVector3(0, 0, 1), btScalar(angle - SIMD_HALF_PI)));
-	Member arm(world, settings, start, btScalar(length));
-	btElasticPlasticCapacity ball;
-	for (int dof = 0; dof < 3; ++dof)
-		ball.set(dof, btScalar(4e9), btScalar(2e6), btScalar(0.01));
-	world.joint(*world.body(0, world.box(btVector3(1, 1, 1)), start, false), arm.first(), start, ball);
-	const double fall = 10 * (1 - std::cos(angle)) * 6 / double(arm.last().getInvMass()) * length / 2;
+	// Straight motion leaves its circle, and finer substeps would take that back.
+	SwingingArm arm(6);
 	btElasticPlasticStepControl control(0.04);
 	double most = 0;
 	for (int i = 0; i < 600; ++i)
 	{
-		control.step(world.bullet(), world.action(), btScalar(1) / 60);
+		control.step(arm.m_world.bullet(), arm.m_world.action(), btScalar(1) / 60);
 		// From the fine ones with which it begins on.
 		EXPECT_TRUE(i < 60 || control.getSubsteps() == 1) << i;
-		most = i < 300 ? 0 : std::max(most, world.kineticEnergy());
+		most = i < 300 ? 0 : std::max(most, arm.m_world.kineticEnergy());
 	}
 	// After five seconds; it stands for half a step at its lowest point.
-	EXPECT_NEAR(1, most / fall, 0.01);
+	EXPECT_NEAR(1, most / arm.m_fall, 0.01);
 }
 
 TEST(StepControl, LeavesSubstepsOutWhereNothingYields)

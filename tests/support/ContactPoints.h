@@ -4,14 +4,26 @@
 #ifndef EP_TEST_CONTACT_POINTS_H
 #define EP_TEST_CONTACT_POINTS_H
 
+#include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "world/World.h"
+
+/// \param see  gets each btManifoldPoint of a world
+template <class See>
+void forEachContactPoint(ep::World& world, const See& see)
+{
+	btDispatcher& dispatcher = *world.bullet().getDispatcher();
+	for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
+	{
+		const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+		for (int k = 0; k < manifold.getNumContacts(); ++k)
+			see(manifold.getContactPoint(k));
+	}
+}
 
 inline int countContactPoints(ep::World& world)
 {
 	int points = 0;
-	btDispatcher& dispatcher = *world.bullet().getDispatcher();
-	for (int i = 0; i < dispatcher.getNumManifolds(); ++i)
-		points += dispatcher.getManifoldByIndexInternal(i)->getNumContacts();
+	forEachContactPoint(world, [&](const btManifoldPoint&) { ++points; });
 	return points;
 }
 

@@ -706,10 +706,10 @@ void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 		A.getAngularVelocity() - B.getAngularVelocity(), onAxes);
 }
 
-void JointStep::projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
+bool JointStep::projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
 {
 	projectVelocities(after);
-	findMotion(m_numRows, before, after);
+	return findMotion(m_numRows, before, after);
 }
 
 void JointStep::getMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
@@ -721,7 +721,8 @@ void JointStep::getMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP
 	findMotion(m_numCommittedRows, before, after);
 }
 
-void JointStep::findMotion(int numRows, btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
+/// \return whether anything flows
+bool JointStep::findMotion(int numRows, btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
 {
 	bool flows = false;
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
@@ -733,6 +734,7 @@ void JointStep::findMotion(int numRows, btScalar before[BT_EP_DOF_COUNT], btScal
 	}
 	if (!flows)
 		leaveTurnOut(before, after);
+	return flows;
 }
 
 /// Where bodies turn as one, they part at some rate as a step begins, twice as fast if nobody has held them on their circles in the last one, and close by as much in it; but for

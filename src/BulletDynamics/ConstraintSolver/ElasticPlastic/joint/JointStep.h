@@ -173,7 +173,8 @@ public:
 	/// J v of all degrees of freedom, before and after it. Where nothing flows, but for what turning bodies have of it: a step of straight motion leaves their circles, and the next
 	/// one comes back. A shorter one does so in less time, and that is nothing that it would mend.
 	/// \param before  0 where there is no row
-	void projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
+	/// \return whether anything flows
+	bool projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
 
 	/// Forgets the step: the state stays as it was committed last.
 	void revert() { m_numRows = 0; }
@@ -272,7 +273,7 @@ private:
 	void returnMapPair(int r, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar cutForce(int r) const;
 	ReturnMapping mapCut(int r) const;
-	void findMotion(int numRows, btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
+	bool findMotion(int numRows, btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
 	void leaveTurnOut(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const;
 	void limitFlow(double work, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;

@@ -132,8 +132,7 @@ bool JointWorks::setState(const btElasticPlasticState& state)
 
 bool JointWorks::needsRegistry() const
 {
-	const bool holds = m_model.m_dofs && !m_model.m_fault && !m_model.m_state.m_broken;
-	return holds && (!m_entry.m_registry || m_numUncommitted > 2 || m_numLeft > 2);
+	return m_model.m_dofs && holds() && (!m_entry.m_registry || m_numUncommitted > 2 || m_numLeft > 2);
 }
 
 /// Refuses a joint that nobody commits: it would be a spring that never yields.

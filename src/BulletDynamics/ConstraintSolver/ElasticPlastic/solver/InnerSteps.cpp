@@ -148,13 +148,11 @@ OpenShare measure(const SolverGroup& island, double length, double ahead, bool& 
 			continue;
 		const JointStep& step = works->m_step;
 		const btElasticPlasticState& state = works->m_model.m_state;
-		for (int r = 0; r < step.getNumRows() && !flows; ++r)
-			flows = step.isFlowing(r);
 		if (isTaut)
 			*isTaut |= works->m_step.foreseeTension();
 		OpenShare::Motion motion = {};
 		motion.m_path = state.m_plasticPath;
-		step.projectMotion(motion.m_before, motion.m_after);
+		flows |= step.projectMotion(motion.m_before, motion.m_after);
 		const btScalar rate = 1 / step.getTimeStep();
 		for (int r = 0; r < step.getNumRows(); ++r)
 			motion.m_force[step.getDof(r)] = step.getImpulse(r) * rate;
