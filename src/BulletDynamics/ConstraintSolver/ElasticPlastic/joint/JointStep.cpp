@@ -19,8 +19,8 @@ const btScalar SHARE_OF_A_BLOW = btScalar(1) / 32;
 const btScalar WELL_RESOLVED = btScalar(0.1);
 /// What a row has done before a blow does not count below this share of what it does in the first step.
 const btScalar SHARE_AT_REST = btScalar(1e-3);
-/// The most that bodies turn by as one in a step for that to be left out of what the step leaves open [rad].
-const btScalar MOST_TURN_AS_ONE = btScalar(0.35);
+/// The least and the most that bodies turn by as one in a step for that to be left out of what the step leaves open [rad]: of less there is nothing to be left out.
+const btScalar LEAST_TURN_AS_ONE = btScalar(1e-6), MOST_TURN_AS_ONE = btScalar(0.35);
 }  // namespace
 
 // ---- pose and step -> rows
@@ -745,13 +745,13 @@ void JointStep::leaveTurnOut(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT
 	{ return one.length2() < other.length2() ? one : other; };
 	const btVector3 spins[2] = {lasting(m_spin0[0], m_model.bodyA().getAngularVelocity()),
 								lasting(m_spin0[1], m_model.bodyB().getAngularVelocity())};
+	const btScalar turn = m_dt * btSqrt(btMax(spins[0].length2(), spins[1].length2()));
+	if (turn < LEAST_TURN_AS_ONE || turn > MOST_TURN_AS_ONE)
+		return;
 	const auto towardsMiddle = [](const btVector3& spin, const btVector3& arm) { return spin.cross(spin.cross(arm)); };
 	const btVector3 parting =
 		(towardsMiddle(spins[0], m_kinematics.m_rA) - towardsMiddle(spins[1], m_kinematics.m_rB)) * (m_dt / 2);
-	const btScalar turn = m_dt * btSqrt(btMax(spins[0].length2(), spins[1].length2())),
-				   beside = turn * parting.length();
-	if (turn > MOST_TURN_AS_ONE)
-		return;
+	const btScalar beside = turn * parting.length();
 	btScalar ofTurn[BT_EP_DOF_COUNT];
 	m_kinematics.projectMotion(parting, btVector3(0, 0, 0), ofTurn);
 	const auto without = [&](btScalar rate, int dof, btScalar times)
