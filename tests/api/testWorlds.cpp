@@ -61,6 +61,24 @@ TEST(Worlds, ACantileverSagsByItsStaticSag)
 	}
 }
 
+TEST(Worlds, WhatIsFastDoesNotGoThroughWhatIsJoined)
+{
+	// 0.67 m a step, at a plate of 0.1 m. Bullet's worlds with threads look no further than that: there inner steps are none.
+	for (Kind kind : {Kind::Discrete, Kind::SoftRigid, Kind::MultiBody})
+	{
+		SCOPED_TRACE(nameOf(kind));
+		Site site(kind, btVector3(0, 0, 0));
+		btRigidBody &wall = site.body(0, btVector3(1, 1, 1), at(0, -1)),
+					&plate = site.body(100, btVector3(btScalar(0.1), 1, 1), at(0)),
+					&ball = site.body(10, btVector3(1, 1, 1) / 5, at(-1));
+		site.join(wall, plate, at(0, -0.5), evenCapacity(1e9, 1e7));
+		ball.setLinearVelocity(btVector3(40, 0, 0));
+		site.run(20);
+		// It may be as deep as an inner step is long.
+		EXPECT_LT(ball.getCenterOfMassPosition().x(), -0.1);
+	}
+}
+
 TEST(Worlds, AJointYieldsAndBreaksAtItsCapacity)
 {
 	for (Kind kind : {Kind::Discrete, Kind::Multithreaded, Kind::SoftRigid, Kind::MultiBody})

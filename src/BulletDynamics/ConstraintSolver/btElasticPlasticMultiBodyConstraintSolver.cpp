@@ -41,7 +41,7 @@ void btElasticPlasticMultiBodyConstraintSolver::solveMultiBodyGroup(
 	group.m_numManifolds = numManifolds;
 	group.m_constraints = constraints;
 	group.m_numConstraints = numConstraints;
-	const bool hasJoints = m_group->split(*m_works, group, numMultiBodyConstraints > 0);
+	const bool hasJoints = m_group->split(*m_works, group, numMultiBodyConstraints > 0, info, dispatcher);
 	const btElasticPlastic::ContactFactors factors(group, m_works->getSubstepShare());
 	const btElasticPlastic::FrozenBodies frozen(bodies, hasJoints ? numBodies : 0);
 	if (hasJoints)

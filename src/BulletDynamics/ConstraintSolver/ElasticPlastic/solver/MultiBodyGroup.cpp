@@ -22,7 +22,8 @@ const int GYROSCOPIC = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT | BT_ENABLE_GYROSCOPI
 					   BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 }  // namespace
 
-bool MultiBodyGroup::split(SolverWorks& works, const SolverGroup& group, bool hasMultiBodyConstraints)
+bool MultiBodyGroup::split(SolverWorks& works, const SolverGroup& group, bool hasMultiBodyConstraints,
+						   const btContactSolverInfo& info, btDispatcher* dispatcher)
 {
 	m_links.clear();
 	m_solids.clear();
@@ -35,7 +36,7 @@ bool MultiBodyGroup::split(SolverWorks& works, const SolverGroup& group, bool ha
 	SolverGroup solids = group;
 	solids.m_manifolds = m_solids.data();
 	solids.m_numManifolds = int(m_solids.size());
-	if (!works.split(solids))
+	if (!works.split(solids, info, dispatcher))
 		return false;
 	m_others = works.getOthers();
 

@@ -19,7 +19,8 @@ class MultiBodyGroup
 public:
 	/// \param hasMultiBodyConstraints  which may tie any rigid body to a link
 	/// \return whether there are elastic-plastic joints; if not, nothing has to be taken apart
-	bool split(SolverWorks& works, const SolverGroup& group, bool hasMultiBodyConstraints);
+	bool split(SolverWorks& works, const SolverGroup& group, bool hasMultiBodyConstraints,
+			   const btContactSolverInfo& info, btDispatcher* dispatcher);
 
 	/// What Bullet is to solve. Bodies of elastic-plastic structures that links touch are among it, without what acts on them
 	/// otherwise: their loads belong to the islands' solution.

@@ -121,33 +121,32 @@ SolverGroup SolverWorks::solve(const SolverGroup& given, const btContactSolverIn
 		m_solvers[0]->solve(group, info, debugDrawer, dispatcher, m_isInPool);
 		return SolverGroup();
 	}
-	const bool looksAhead = !m_isInPool && dispatcher && info.m_timeStep > 0 && InnerSteps::areAsked(m_settings) &&
-							!(m_registry && m_registry->isStepControlled());
-	findIslands(group);
-	if (looksAhead && m_earlyContacts.find(group, m_islands, info.m_timeStep, m_settings, *dispatcher))
-		m_islands.find(group);
-	m_islands.split(group);
+	splitIslands(group, info, dispatcher);
 	solveIslands(info, debugDrawer, dispatcher);
 	return getOthers();
 }
 
-bool SolverWorks::split(const SolverGroup& given)
+bool SolverWorks::split(const SolverGroup& given, const btContactSolverInfo& info, btDispatcher* dispatcher)
 {
 	if (!findJoints(given))
 		return false;
 	SolverGroup group = given;
 	group.m_joints = &m_joints[0];
-	findIslands(group);
-	m_islands.split(group);
+	splitIslands(group, info, dispatcher);
 	return true;
 }
 
 /// Of a group of which the joints are known.
-void SolverWorks::findIslands(const SolverGroup& group)
+void SolverWorks::splitIslands(SolverGroup& group, const btContactSolverInfo& info, btDispatcher* dispatcher)
 {
+	const bool looksAhead = m_settings.m_form == BT_EP_DIRECT && !m_isInPool && dispatcher && info.m_timeStep > 0 &&
+							InnerSteps::areAsked(m_settings) && !(m_registry && m_registry->isStepControlled());
 	if (m_isInPool)
 		beginStepInPool();
 	m_islands.find(group);
+	if (looksAhead && m_earlyContacts.find(group, m_islands, info.m_timeStep, m_settings, *dispatcher))
+		m_islands.find(group);
+	m_islands.split(group);
 }
 
 void SolverWorks::solveIslands(const btContactSolverInfo& info, btIDebugDraw* debugDrawer, btDispatcher* dispatcher)

@@ -44,7 +44,7 @@ public:
 
 	/// Takes the islands with elastic-plastic joints out of a group. \return whether there are any; they and the others are valid
 	/// until the next call
-	bool split(const SolverGroup& group);
+	bool split(const SolverGroup& group, const btContactSolverInfo& info, btDispatcher* dispatcher);
 	int getNumIslands() const { return m_islands.getNumIslands(); }
 	SolverGroup getIsland(int i) { return m_islands.getIsland(i); }
 	SolverGroup getOthers() { return m_islands.getOthers(); }
@@ -57,7 +57,7 @@ private:
 	/// \return whether there is any elastic-plastic joint
 	bool findJoints(const SolverGroup& group);
 	void beginStepInPool();
-	void findIslands(const SolverGroup& group);
+	void splitIslands(SolverGroup& group, const btContactSolverInfo& info, btDispatcher* dispatcher);
 	void solveShared(const btContactSolverInfo& info, btDispatcher* dispatcher);
 
 	btElasticPlasticSolverSettings m_settings;
