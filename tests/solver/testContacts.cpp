@@ -555,6 +555,86 @@ TEST(Contacts, SoftContactsSinkAsFarAsTheirStiffnessSays)
 	}
 }
 
+/// Four joined blocks, one on the other, on the ground.
+struct Column
+{
+	World m_world{Solver::Direct};
+	btRigidBody* m_foot;
+
+	explicit Column(double massOfBlock)
+	{
+		m_world.body(0, m_world.box(btVector3(20, 1, 20)), at(0, -0.5));
+		btCollisionShape* const cube = m_world.box(btVector3(1, 1, 1) / 2);
+		const btTransform upwards(btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI));
+		btRigidBody* below = m_foot = m_world.body(btScalar(massOfBlock), cube, at(0, 0.25));
+		for (int i = 1; i < 4; ++i)
+		{
+			btRigidBody* const block = m_world.body(btScalar(massOfBlock), cube, at(0, 0.25 + 0.5 * i));
+			m_world.joint(*below, *block, at(0, 0.5 * i) * upwards, evenCapacity(1e9, 1e6));
+			below = block;
+		}
+	}
+
+	/// How deep it stands in the end [m].
+	double stand(btScalar dt)
+	{
+		for (int i = 0; i < int(3 / dt); ++i)
+			m_world.step(dt);
+		for (const btElasticPlasticJoint* joint : m_world.joints())
+			EXPECT_EQ(0, joint->getPlasticEnergy());
+		return 0.25 - double(m_foot->getCenterOfMassPosition().y());
+	}
+};
+
+TEST(Contacts, WhatStandsOnSoftContactsOfTheWorldSinksAsInBullet)
+{
+	// v + cfm / dt impulse = erp depth / dt, at rest, of four points. It sank ten times as deep.
+	for (const double mass : {100., 400.})
+		for (const int rate : {60, 240})
+		{
+			const double dt = 1. / rate, cfm = 1e-4;
+			Column column(mass);
+			btContactSolverInfo& info = column.m_world.bullet().getSolverInfo();
+			info.m_globalCfm = btScalar(cfm);
+			const double depth = cfm * (4 * mass * 10 / 4) * dt / double(info.m_erp2);
+			// The margins of boxes.
+			EXPECT_NEAR(depth, column.stand(btScalar(dt)), 0.02 * depth + byPrecision(1e-6, 1e-5))
+				<< mass << ", 1/" << rate;
+		}
+}
+
+bool makeSoft(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int, const btCollisionObjectWrapper*, int,
+			  int)
+{
+	point.m_contactCFM = btScalar(1e-3);
+	point.m_contactPointFlags |= BT_CONTACT_FLAG_HAS_CONTACT_CFM;
+	return true;
+}
+
+TEST(Contacts, WhatStandsDeepInSoftContactsIsNotTorn)
+{
+	// Beyond 4 cm Bullet pushes places: of the one body that is touched, out of its joint. 37 kJ flowed by weight alone, with springs by a stiffness joints told -16 kJ.
+	for (const int rate : {30, 60, 240})
+		for (const bool hasStiffness : {false, true})
+		{
+			Column column(100);
+			if (hasStiffness)
+				column.m_foot->setContactStiffnessAndDamping(btScalar(2e4), 1000);
+			else
+				column.m_foot->setCollisionFlags(column.m_foot->getCollisionFlags() |
+												 btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+			const ContactAddedCallback before = gContactAddedCallback;
+			gContactAddedCallback = hasStiffness ? before : makeSoft;
+			const double depth = column.stand(btScalar(1) / btScalar(rate));
+			gContactAddedCallback = before;
+			EXPECT_GT(depth, 0.01);
+			// 4 kN on four springs of 2e4 N/m; of the soft ones 0.08 m at 1/60 s, in proportion to the step.
+			EXPECT_NEAR(hasStiffness ? 0.05 : 1e-3 * 1000 / rate / 0.2, depth, 0.02 * depth) << rate;
+			for (const btElasticPlasticJoint* joint : column.m_world.joints())
+				EXPECT_LT(std::abs(joint->getNumericalEnergy()), 1) << rate;
+		}
+}
+
 TEST(Contacts, LightFootCarriesAHeavyMass)
 {
 	// By a joint of the foot's height: a foot of 1 kg under up to 10000 t.
@@ -725,7 +805,7 @@ TEST(Contacts, WhatIsPressedHasImpulsesWithABound)
 			{
 				Press press(columns, rows);
 				const double speed = 1.45, most = press.press(speed, depth * rows * double(press.m_size));
-				EXPECT_LT(most, 1e6 * press.massOfCubes() * speed)
+				EXPECT_LE(most, 200 * press.massOfCubes() * speed)
 					<< columns << " x " << rows << " cubes, by " << depth;
 			}
 }

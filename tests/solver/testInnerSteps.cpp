@@ -588,6 +588,25 @@ TEST(InnerSteps, WhatIsTouchedAsTheyEndGivesBackWhatItGotAsTheyBegan)
 	}
 }
 
+TEST(InnerSteps, ABlowIsSeenWithoutWarmStarting)
+{
+	// Bullet tells contact points no impulses then, and a blow is seen by these.
+	double flow[2];
+	for (const bool isWarm : {true, false})
+	{
+		Drop drop(2);
+		takeInnerSteps(drop.m_world);
+		int& mode = drop.m_world.bullet().getSolverInfo().m_solverMode;
+		mode = isWarm ? mode | SOLVER_USE_WARMSTARTING : mode & ~SOLVER_USE_WARMSTARTING;
+		run(drop.m_world, 60);
+		flow[isWarm] = 0;
+		for (const btElasticPlasticJoint* joint : drop.m_world.joints())
+			flow[isWarm] += joint->getPlasticEnergy();
+	}
+	// The error that inner steps allow.
+	EXPECT_NEAR(1, flow[false] / flow[true], 0.04);
+}
+
 TEST(InnerSteps, WhatBouncesDoesNotGoThroughWhereThereIsNoWorkForThem)
 {
 	// A step that has begun with inner steps ends with few or none of them where they turn out too dear. What waits for its bounce until it touches has to touch then.

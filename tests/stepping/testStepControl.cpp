@@ -44,11 +44,11 @@ Outcome solve(const char* problem, double error)
 /// step become long early.
 TEST(StepControl, KeepsToTheErrorThatIsAllowed)
 {
-	const std::map<std::string, double> coarse = {{"block-reversed-90kN", 0.16},
+	const std::map<std::string, double> coarse = {{"block-reversed-90kN", 0.2},
 												  {"cyclic-bending", 0.16},
 												  {"crack-opening", 0.2}},
 										fine = {{"block-reversed-60kN", 0.06},
-												{"block-reversed-90kN", 0.03},
+												{"block-reversed-90kN", 0.035},
 												{"cantilever-swinging", 0.03},
 												{"parkes-light", 0.03},
 												{"dropped-mass", 0.04},
@@ -121,9 +121,9 @@ TEST(StepControl, WhatSwingsAsOneNeedsOneSubstep)
 
 TEST(StepControl, LeavesSubstepsOutWhereNothingYields)
 {
-	// 90 steps, and 15 for the fine ones at the beginning.
+	// 90 steps, and 20 for the fine ones at the beginning.
 	const Outcome outcome = solve("cantilever-at-rest", 0.01);
-	EXPECT_LT(outcome.substeps, 90 + 15);
+	EXPECT_LT(outcome.substeps, 90 + 20);
 	EXPECT_LT(outcome.error(), 1e-4);
 }
 
@@ -303,6 +303,64 @@ int pulledOnATravellingSupport(double speed)
 		}
 	}
 	return substeps;
+}
+
+/// A block on one joint, struck once: by energy the flow takes 1 - 1 / u^2 of the blow, if that is u^2 times what the spring stores at yield.
+struct StruckBlock
+{
+	World m_world{Solver::Direct, btVector3(0, 0, 0)};
+	btElasticPlasticJoint* m_joint;
+	double m_blow, m_flow;  ///< [J]
+
+	/// \param period  in frames
+	StruckBlock(double period, double u, bool isHeld)
+	{
+		const double mass = 100, frequency = 120 * M_PI / period, reduced = isHeld ? mass : mass / 2;
+		btElasticPlasticCapacity capacity = evenCapacity(1e10);
+		capacity.set(BT_EP_AXIAL, btScalar(reduced * frequency * frequency), btScalar(reduced * frequency / u));
+		btCollisionShape* const cube = m_world.box(btVector3(1, 1, 1));
+		btRigidBody* const first = m_world.body(isHeld ? 0 : btScalar(mass), cube, at(0), false);
+		btRigidBody* const block = m_world.body(btScalar(mass), cube, at(1.2), false);
+		m_joint = m_world.joint(*first, *block, at(1.2), capacity);
+		block->setLinearVelocity(btVector3(1, 0, 0));
+		m_blow = reduced / 2;
+		m_flow = (1 - 1 / (u * u)) * m_blow;
+	}
+
+	double energy() const
+	{
+		return m_world.kineticEnergy() + m_joint->getElasticEnergy() + m_joint->getPlasticEnergy();
+	}
+};
+
+TEST(StepControl, WhatRingsAfterABlowFlowsNoMore)
+{
+	// A spring that rings at its yield value asks for shorter substeps at one moment of its swing and for longer ones at another. Each change shifts the time to which velocities belong; without a
+	// remedy that made 25 times the blow's energy of flow in 2400 frames.
+	for (const bool isHeld : {true, false})
+		for (const double error : {0.01, 0.05})
+			for (const double period : {0.35, 0.45, 0.7, 1.1, 1.7})
+				for (const double u : {1.15, 1.26, 1.6})
+				{
+					StruckBlock block(period, u, isHeld);
+					btElasticPlasticStepControl control(error);
+					const double before = block.energy();
+					double flow = 0, most = 0;
+					for (int i = 0; i < 240; ++i)
+					{
+						control.step(block.m_world.bullet(), block.m_world.action(), btScalar(1) / 60);
+						if (i == 0)
+							flow = block.m_joint->getPlasticEnergy();
+						most = std::max(most, block.energy());
+					}
+					// Three times the error that is allowed, as of random springs (docs/performance.md), of the blow.
+					EXPECT_NEAR(block.m_flow / block.m_blow, flow / block.m_blow, 3 * error)
+						<< period << ", " << u << ", " << error;
+					EXPECT_NEAR(flow / block.m_blow, block.m_joint->getPlasticEnergy() / block.m_blow, error)
+						<< period << ", " << u << ", " << error;
+					// Kinetic energy is that of half a substep before.
+					EXPECT_LT(most, (1 + 3 * error) * before) << period << ", " << u << ", " << error;
+				}
 }
 
 TEST(StepControl, TravelsWithTheSupport)

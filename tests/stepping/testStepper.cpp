@@ -51,7 +51,7 @@ TEST(Stepper, TellsWhatItLeavesOutAndKeepsToTheError)
 	int substeps = 0;
 	for (int i = 0; i < 60; ++i)
 		substeps += stepper.step();
-	EXPECT_LT(substeps, 60 + 15);
+	EXPECT_LT(substeps, 60 + 20);
 	EXPECT_EQ(0, stepper.step(0));
 	const double time = world.action().getTime();
 	stepper.step(btScalar(1) / 128);

@@ -25,14 +25,17 @@ const int CALM_STEPS = 6;
 const double CALM_SHARE = 1. / 8;
 /// Below this share of the error a substep leaves next to nothing open, and the next one is doubled at once.
 const double NOTHING_SHARE = 1. / 1000;
+/// Whenever it has been doubled too early the calm that it takes the next time is twice as long, up to so many times.
+const int MOST_PATIENCE = 6;
 /// Below this share of the error the search doubles the substep: twice the substep has four times the T.
 const double SEARCH_SHARE = 1. / 4;
 /// The most that a joined body may turn in a substep [rad].
 const double MOST_TURN = 1;
 
 /// Tells joints, of whatever action, that the coming substep is as short as they need, so that the solver takes no inner steps.
-/// \param share  of the step
-void tellJoints(btDynamicsWorld& world, btScalar share)
+/// \param share       of the step
+/// \param isResolved  see JointRegistry::setStepControlled()
+void tellJoints(btDynamicsWorld& world, btScalar share, bool isResolved)
 {
 	JointRegistry* told = nullptr;
 	for (int i = 0; i < world.getNumConstraints(); ++i)
@@ -41,7 +44,7 @@ void tellJoints(btDynamicsWorld& world, btScalar share)
 		JointRegistry* const registry = joint ? joint->m_entry.m_registry : nullptr;
 		if (registry && registry != told)
 		{
-			registry->setStepControlled(share);
+			registry->setStepControlled(share, isResolved);
 			told = registry;
 		}
 	}
@@ -57,8 +60,11 @@ struct btElasticPlasticStepControl::Works
 	btScalar m_dt = 0;          ///< of the step
 	btScalar m_length = 0;      ///< of the substep, the last one
 	btScalar m_calm = 0;        ///< for how long little has been left open [s]
-	int m_left = 0;             ///< of the step, in parts of it over 1 << MAX_LEVEL
-	int m_parts = 0;            ///< that the substep under way takes of them
+	btScalar m_sinceDoubled =
+		-1;  ///< the time since the substep has been doubled, if that was not by the search; below 0: it has not, or has been halved since [s]
+	int m_patience = 0;  ///< how often it has been doubled too early, less how often it has not
+	int m_left = 0;      ///< of the step, in parts of it over 1 << MAX_LEVEL
+	int m_parts = 0;     ///< that the substep under way takes of them
 	ErrorReduction m_errorReduction;
 	OpenWork m_openWork;
 	BodyMarks m_joined;  ///< those that move and that elastic-plastic joints hold
@@ -68,6 +74,9 @@ struct btElasticPlasticStepControl::Works
 	double findFastestSpin(const btDynamicsWorld& world) const;
 	void markJoined(const btDynamicsWorld& world, const btAlignedObjectArray<btElasticPlasticJoint*>& joints);
 	void chooseLevel();
+	void learnPatience(bool isHalved);
+	/// That has to last before the substep is doubled [s].
+	btScalar getCalm() const { return btScalar(CALM_STEPS << m_patience) * m_dt; }
 
 	/// From here on coarser steps have to show that they leave little open: a spring that the level below resolves has
 	/// T = error / 16, which takes two of them.
@@ -96,6 +105,8 @@ void btElasticPlasticStepControl::expectBlow()
 	// The effect of a blow in its first moment is not known beforehand, and a substep that was too long cannot be undone.
 	m_works->refine(MAX_LEVEL);
 	m_works->m_isSearching = true;
+	m_works->m_sinceDoubled = -1;
+	m_works->m_patience = 0;
 }
 
 void btElasticPlasticStepControl::setMaxSubsteps(int most)
@@ -144,9 +155,9 @@ btScalar btElasticPlasticStepControl::next(btDynamicsWorld& world)
 	w.lookAhead(world);
 	w.m_parts = 1 << (MAX_LEVEL - w.m_level);
 	const btScalar share = 1 / btScalar(1 << w.m_level);
-	tellJoints(world, share);
+	tellJoints(world, share, w.m_isSearching);
 	w.m_errorReduction.restore(world, nullptr);
-	w.m_errorReduction.scale(world, share);
+	w.m_errorReduction.scale(world, share, w.m_dt);
 	const btScalar length = w.m_dt * share;
 	if (w.m_length > 0 && w.m_length != length)
 		keepFreeFlight(world, (w.m_length - length) / 2);
@@ -168,20 +179,38 @@ void btElasticPlasticStepControl::Works::markJoined(const btDynamicsWorld& world
 
 /// An oscillation has moments at which a substep leaves little open, and every change of the substep dissipates some of its
 /// energy. The substep is therefore doubled only if it has left little open for some time, or if it leaves next to nothing.
-/// Substeps begin at multiples of their length, so that the step ends with a whole one.
+/// Where it has to be halved again soon, it waits for longer the next time. Substeps begin at multiples of their length, so that the step ends with a whole one.
 void btElasticPlasticStepControl::Works::chooseLevel()
 {
 	const double share = m_openWork.getShare(), mendable = m_openWork.getMendableShare();
+	const int level = m_level;
 	if (mendable > m_error)
 		refine(m_level + int(ceil(0.5 * log2(mendable / m_error))));
+	learnPatience(m_level > level);
 	m_calm = share > m_error * CALM_SHARE ? btScalar(0) : m_calm + m_length;
 	m_isSearching &= share <= m_error * SEARCH_SHARE && m_level > getResolvedLevel();
 	const bool fitsTwice = m_level > 0 && m_left % (2 << (MAX_LEVEL - m_level)) == 0;
-	if (fitsTwice && (m_calm >= CALM_STEPS * m_dt || share < m_error * NOTHING_SHARE || m_isSearching))
-	{
-		--m_level;
-		m_calm = 0;
-	}
+	const bool isCalm = m_calm >= getCalm(), isStill = m_patience == 0 && share < m_error * NOTHING_SHARE;
+	if (!fitsTwice || !(isCalm || isStill || m_isSearching))
+		return;
+	--m_level;
+	m_calm = 0;
+	if (!m_isSearching)
+		m_sinceDoubled = 0;
+	if (isCalm)
+		m_patience = btMax(m_patience - 1, 0);
+}
+
+void btElasticPlasticStepControl::Works::learnPatience(bool isHalved)
+{
+	if (m_sinceDoubled < 0)
+		return;
+	m_sinceDoubled += m_length;
+	if (!isHalved)
+		return;
+	if (m_sinceDoubled < 2 * getCalm())
+		m_patience = btMin(m_patience + 1, MOST_PATIENCE);
+	m_sinceDoubled = -1;
 }
 
 void btElasticPlasticStepControl::observe(btDynamicsWorld& world, btElasticPlasticAction& action)

@@ -447,7 +447,7 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	const btScalar a = dt * dt * squareOfFrequency(motion, diagonal, rows);
 	m_areOfWaves = carriesWaves(motion);
 	const MeanForce scheme = m_areOfWaves ? MeanForce::byMode(btScalar(motion.m_isEven ? 1 : 0))
-										  : MeanForce::byRow(a, dt, m_model.m_state.m_lastStep);
+										  : MeanForce::byRow(a, dt, motion.m_lastStep);
 	Past past = {};
 	if (m_areOfWaves)
 		past = pastOf(scheme);

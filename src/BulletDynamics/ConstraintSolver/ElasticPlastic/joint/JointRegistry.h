@@ -112,13 +112,16 @@ public:
 	btScalar getWakingShare() const { return m_wakingShare; }
 
 	/// Tells that a btElasticPlasticStepControl has chosen the length of the coming substep: then there are no inner steps.
-	/// \param share  of the control's step
-	void setStepControlled(btScalar share)
+	/// \param share       of the control's step
+	/// \param isResolved  it is so short that it resolves all that moves
+	void setStepControlled(btScalar share, bool isResolved)
 	{
 		m_controlledTime = m_time;
+		m_isStepResolved = isResolved;
 		*m_substepShare = share;
 	}
 	bool isStepControlled() const { return m_controlledTime == m_time; }
+	bool isStepResolved() const { return m_isStepResolved; }
 
 	/// That share, 1 without a control. Solvers keep it, since they also solve what no joint tells of; it may outlive the registry.
 	std::shared_ptr<const btScalar> getSubstepShare() const { return m_substepShare; }
@@ -252,7 +255,8 @@ private:
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;
-	double m_controlledTime = -1;  ///< of the last substep that was
+	bool m_isStepResolved = false;  ///< see setStepControlled()
+	double m_controlledTime = -1;   ///< of the last substep that was
 	const std::shared_ptr<btScalar> m_substepShare =
 		std::make_shared<btScalar>(btScalar(1));  ///< see getSubstepShare()
 	int m_numNumbers = 0;                         ///< that joints have got

@@ -307,7 +307,7 @@ void JointStep::makeRowsAlike(btScalar erp, JointRows& rows)
 		diagonal[m_row[r].m_dof] = rows.m_row[r].m_diagonal;
 	}
 	SpringLanes::Rows made;
-	springs.makeRows(diagonal, m_dt, m_model.m_state.m_lastStep, made);
+	springs.makeRows(diagonal, m_dt, lastStep(), made);
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		Row& row = m_row[r];
@@ -339,6 +339,7 @@ void JointStep::makeRowsAlike(btScalar erp, JointRows& rows)
 FibreStep::Motion JointStep::beginShear(const Diagonal& diagonal)
 {
 	FibreStep::Motion motion = {};
+	motion.m_lastStep = lastStep();
 	motion.m_turn[0] = diagonal.about(m_kinematics.m_axis[1]);
 	motion.m_turn[1] = diagonal.about(m_kinematics.m_axis[2]);
 	for (int r = 0; r < m_numRows; ++r)
@@ -362,7 +363,7 @@ bool JointStep::areFibresEven(bool hasOtherPast)
 		areAtRest = isAtRest(r);
 	for (int r = getNumPlainRows(); r < m_numRows; ++r)
 		m_row[r].m_isAtRest = areAtRest;
-	return areAtRest || m_model.m_state.m_lastStep == m_dt;
+	return areAtRest || lastStep() == m_dt;
 }
 
 /// What fibres add up to, and what is coupled with them, is of their scheme.
@@ -1045,6 +1046,7 @@ int JointStep::commit(double share, bool isNew)
 		state.m_withheld[i] = m_withheld[i];
 	state.m_withheldStep = m_withheldStep;
 	state.m_lastStep = m_dt;
+	m_isEven = false;
 	for (int side = 0; side < 2; ++side)
 	{
 		const btRigidBody& body = side == 0 ? m_model.bodyA() : m_model.bodyB();

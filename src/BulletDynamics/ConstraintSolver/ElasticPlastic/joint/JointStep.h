@@ -89,6 +89,10 @@ public:
 		return isOfFibres ? m_fibres.isAnyAtBound() : m_lastBound[m_row[r].m_dof] != 0;
 	}
 
+	/// Before the step is evaluated, where it is not as long as the last one: velocities have been brought to the time to which they would belong if it had been, see
+	/// JoinedShift. A change of step that nobody does this for is damped.
+	void setEven(bool isEven) { m_isEven = isEven; }
+
 	/// Tells that the impulses are of a search that has been cut: they obey the law, and do not belong to the deformation.
 	void setCut() { m_isCut = true; }
 
@@ -261,7 +265,9 @@ private:
 	void mapRows(bool isCut, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	bool mapAlike(const btScalar velocity1[BT_EP_DOF_COUNT], ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	/// Whether the past of a row is as of steps of this length.
-	bool isEven(int r) const { return m_row[r].m_isAtRest || m_model.m_state.m_lastStep == m_dt; }
+	bool isEven(int r) const { return m_row[r].m_isAtRest || lastStep() == m_dt; }
+	/// [s]
+	btScalar lastStep() const { return m_isEven ? m_dt : m_model.m_state.m_lastStep; }
 	DofState dofState(int r) const;
 	PaperLaw paperLaw(int dof) const;
 	void couple(JointRows& rows);
@@ -289,7 +295,7 @@ private:
 	{
 		if (m_row[r].m_isOfWaves)
 			return MeanForce::byMode(btScalar(isEven(r) ? 1 : 0));
-		const btScalar last = m_row[r].m_isAtRest ? m_dt : m_model.m_state.m_lastStep;
+		const btScalar last = m_row[r].m_isAtRest ? m_dt : lastStep();
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}
 	/// In the step.
@@ -307,6 +313,7 @@ private:
 	btScalar m_erp = 0;
 	double m_given = 0;  ///< see setWork()
 	bool m_hasRecovery = false, m_isCut = false, m_isFree = false, m_usesFibres = false, m_isWorkKnown = false;
+	bool m_isEven = false;                 ///< see setEven()
 	bool m_areAlike = false;               ///< all rows are springs of one law, see SpringLanes
 	bool m_isTensionKnown = false;         ///< m_tension is the step's, see foreseeTension()
 	btScalar m_tension[3] = {};            ///< along the joint's axes [N]

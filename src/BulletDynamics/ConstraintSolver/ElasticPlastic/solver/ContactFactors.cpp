@@ -12,6 +12,12 @@ bool hasOwnFactor(const btManifoldPoint& point)
 	return (point.m_contactPointFlags & BT_CONTACT_FLAG_HAS_CONTACT_ERP) != 0;
 }
 
+bool isSpring(const btManifoldPoint& point)
+{
+	return (point.m_contactPointFlags &
+			(BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING)) != 0;
+}
+
 ContactFactors::ContactFactors(const SolverGroup& group, btScalar share)
 {
 	for (int i = 0; i < group.m_numManifolds && share < 1; ++i)

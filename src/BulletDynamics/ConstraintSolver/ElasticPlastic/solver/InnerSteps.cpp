@@ -11,6 +11,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/ConstraintSolver/btContactSolverInfo.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "Drive.h"
 
 namespace btElasticPlastic
 {
@@ -115,6 +116,15 @@ bool damps(const SolverGroup& island)
 	return true;
 }
 
+/// Whether springs or motors of Bullet's act on an island.
+bool isDriven(const SolverGroup& island)
+{
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if ((!island.m_joints[i] || island.m_joints[i]->hasBaseRows()) && hasDrive(*island.m_constraints[i]))
+			return true;
+	return false;
+}
+
 /// What springs hold where each joint yields in the way that takes the least [J].
 double yieldEnergyOf(const SolverGroup& island)
 {
@@ -204,6 +214,14 @@ void forgetTension(const SolverGroup& island)
 			island.m_joints[i]->m_step.forgetTension();
 }
 
+bool isStepControlled(const SolverGroup& island)
+{
+	for (int i = 0; i < island.m_numConstraints; ++i)
+		if (island.m_joints[i] && island.m_joints[i]->m_entry.m_registry)
+			return island.m_joints[i]->m_entry.m_registry->isStepControlled();
+	return false;
+}
+
 long long countPoints(const SolverGroup& island)
 {
 	long long points = 0;
@@ -237,12 +255,14 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	Task task = {island, info, settings, statistics, solution, statistics.m_work, levelOf(settings.m_maxInnerSteps)};
 	const bool isStep = info.m_timeStep > 0,
 			   hasRoom = isStep && mayBeTaken(island.m_numConstraints, countPoints(island), settings);
-	// Ropes are told when tension comes on and when the step changes, whether there may be inner steps or not.
-	const bool isLookedAt = hasRoom || (isStep && mayGoBack(settings) && hasRope(island));
+	// Whether there may be inner steps or not: ropes are told when tension comes on and when the step changes, and velocities of all follow a step control.
+	const bool isLookedAt = hasRoom || (isStep && mayGoBack(settings) && (hasRope(island) || isStepControlled(island)));
 	JointRegistry* const registry = isLookedAt ? beginJoints(island) : nullptr;
 	// A step control chooses the steps' length itself.
-	const bool mayTake = hasRoom && registry && !registry->isStepControlled();
-	if (!registry || (!mayTake && !hasRope(island)))
+	const bool isControlled = registry && registry->isStepControlled(), mayTake = hasRoom && registry && !isControlled;
+	task.m_isResolved = isControlled && registry->isStepResolved();
+	const bool isChanged = isControlled && JoinedShift::isWanted(island, info.m_timeStep);
+	if (!registry || !(mayTake || isChanged || hasRope(island)))
 	{
 		solution.solveStep(info, 1, settings.m_maxWork);
 		return;
@@ -260,6 +280,7 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 	const SolverGroup& island = task.m_island;
 	m_state.begin(island, task.m_info.m_timeStep, registry);
 	task.m_rhythm = rhythmOf(island);
+	task.m_isDriven = isDriven(island);
 	task.m_blow = task.m_rhythm.m_quiet > 0 ? m_state.getEnergyOfBlow() : 0;
 	if (m_state.hasSpringContact())
 		task.m_maxLevel = 0;
@@ -341,11 +362,12 @@ bool InnerSteps::isRinging(const Task& task, const Attempt& attempt) const
 		   task.m_blow <= STRONG_BLOW * attempt.m_yieldEnergy;
 }
 
-/// Of what a step has left open, as far as it counts, follows the level of the next attempt.
+/// Of what a step has left open, as far as it counts, follows the level of the next attempt. Where Bullet's springs and motors act no inner steps are begun for elastic motion: what
+/// these give and take in the half step by which velocities come to belong to another time is not known, and would add up from one beginning to the next.
 void InnerSteps::findNext(const Task& task, int level, Attempt& attempt) const
 {
 	attempt.m_isLong = attempt.m_open > task.m_settings.m_innerError;
-	if (isRinging(task, attempt))
+	if (isRinging(task, attempt) || (level == 0 && task.m_isDriven && !attempt.m_flows && !attempt.m_isStruck))
 		limit(attempt, task.m_settings.m_innerError);
 	attempt.m_next = refine(task, level, attempt);
 }
@@ -487,9 +509,9 @@ void InnerSteps::setInnerLength(Task& task, btScalar ofVelocities, btScalar ofPo
 {
 	const btScalar share = 1 / btScalar(1 << level), h = task.m_info.m_timeStep * share;
 	m_state.shiftFreeVelocities((ofVelocities - h) / 2);
-	m_state.shiftJoinedVelocities(task.m_island, h);
+	m_state.shiftJoinedVelocities(task.m_island, h, task.m_isResolved);
 	m_state.scalePoints(h / ofPoints);
-	m_parameters.scale(task.m_island, share);
+	m_parameters.scale(task.m_island, share, task.m_info.m_timeStep);
 }
 
 /// \param ahead  how many such steps are left, with it
@@ -501,7 +523,8 @@ void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead)
 	info.m_erp *= share;
 	info.m_erp2 *= share;
 	++task.m_numSolutions;
-	++task.m_statistics.m_innerSteps;
+	if (share < 1)
+		++task.m_statistics.m_innerSteps;
 	const bool isBounded = task.m_settings.m_maxWork > 0;
 	task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / ahead, 1ll) : 0);
 }

@@ -266,8 +266,10 @@ btScalar IslandSolver::solveGroupCacheFriendlyFinish(btCollisionObject** bodies,
 		withholdResult();
 	m_iterative.finish(pools());
 	const bool isFree = areFree(m_tmpSolverBodyPool);
-	// Bullet moves places beside velocities only in this mode.
 	btContactSolverInfo finishing = info;
+	// Bullet tells contact points their impulses only in this mode, and by these a blow is seen. Whether a step begins with them has been decided.
+	finishing.m_solverMode |= SOLVER_USE_WARMSTARTING;
+	// Bullet moves places beside velocities only in this mode.
 	if (m_direct.movesPlaces())
 	{
 		finishing.m_splitImpulse = 1;

@@ -144,7 +144,7 @@ void IslandState::addPoints(const SolverGroup& island)
 			Point point = {&p,        {objects[0], objects[1]}, {bodies[0], bodies[1]}, p.m_distance1,  {0, 0, 0},
 						   {0, 0, 0}, p.m_positionWorldOnA,     p.m_positionWorldOnB,   p.m_contactERP, {0, 0, 0}};
 			impulsesOf(p, point.m_impulse);
-			m_hasSpringContact |= (p.m_contactPointFlags & BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING) != 0;
+			m_hasSpringContact |= isSpring(p);
 			m_points.push_back(point);
 		}
 	}
@@ -281,11 +281,11 @@ bool IslandState::isJoinedShiftSmall(const SolverGroup& island, btScalar h)
 	return m_joinedShift.getEnergy() <= SMALL_SHIFT * SMALL_SHIFT * energy;
 }
 
-void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h)
+void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h, bool isResolved)
 {
 	if (!findJoinedShift(island, h))
 		return;
-	m_joinedShift.apply();
+	m_joinedShift.apply(isResolved);
 	for (int i = 0; i < m_bodies.size(); ++i)
 		m_bodies[i].m_inner.m_shift += m_joinedShift.getLoadWork(i);
 }
@@ -562,18 +562,39 @@ void IslandState::finish(int steps, std::vector<BodyMotion>& motions)
 	releaseKinematicBodies();
 }
 
-/// Where no joint holds any more the next step is Bullet's, whose iterations begin with the impulses that points have: the sum of what has pressed rubble in all inner steps would
-/// throw it.
+/// The next step begins with the impulses that points have. Where no joint holds any more it is Bullet's, and the sum over all inner steps of what has pressed rubble would throw it.
 void IslandState::leavePoints()
 {
 	bool doJointsHold = false;
 	for (int i = 0; i < m_joints.size(); ++i)
 		doJointsHold |= m_joints[i].m_works->holds();
+	const bool areForces = doPointsTellForces();
+	const btScalar none[3] = {0, 0, 0};
 	for (int i = 0; i < m_points.size(); ++i)
 	{
 		btScalar last[3];
-		leave(m_points[i], doJointsHold ? m_points[i].m_sum : impulsesOf(*m_points[i].m_point, last));
+		const btScalar* const left = doJointsHold ? m_points[i].m_sum : impulsesOf(*m_points[i].m_point, last);
+		leave(m_points[i], areForces ? left : none);
 	}
+}
+
+/// No contact takes more than all bodies' momentum, but where it is pressed by what cannot give way, as between the ground and a kinematic body.
+bool IslandState::doPointsTellForces() const
+{
+	double mass = 0, fastest = 0;
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		const btRigidBody& body = *m_bodies[i].m_body;
+		mass += 1 / double(body.getInvMass());
+		btSetMax(fastest, double(m_bodies[i].m_linear.length()) +
+							  double(m_dt) * double(body.getInvMass()) * double(body.getTotalForce().length()));
+	}
+	for (int i = 0; i < m_kinematic.size(); ++i)
+		btSetMax(fastest, double(m_kinematic[i].m_body->getLinearVelocity().length()));
+	for (int i = 0; i < m_points.size(); ++i)
+		if (m_points[i].m_sum[0] > mass * fastest)
+			return false;
+	return true;
 }
 
 void IslandState::releaseKinematicBodies()

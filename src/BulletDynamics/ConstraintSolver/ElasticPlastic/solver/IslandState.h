@@ -43,9 +43,9 @@ public:
 	/// or is brushed would be faster each time, and what strikes something gives it its speed.
 	void endShift(btScalar later);
 
-	/// The same of those that joints hold and nothing touches, where inner steps of h [s] are not as long as the last one: see JoinedShift.
-	/// To be called after saveJoints().
-	void shiftJoinedVelocities(const SolverGroup& island, btScalar h);
+	/// The same of those that joints hold and nothing touches, where steps of h [s] are not as long as the last one: see JoinedShift.
+	/// To be called after saveJoints(), if the island may go back.
+	void shiftJoinedVelocities(const SolverGroup& island, btScalar h, bool isResolved);
 
 	/// Whether that would be a small part of the velocities there are, or of those for which joints hold the energy.
 	bool isJoinedShiftSmall(const SolverGroup& island, btScalar h);
@@ -87,7 +87,7 @@ public:
 	/// After an inner step of h [s] has been solved: moves the bodies by their velocities.
 	void move(btScalar h);
 
-	/// Ends the step: bodies are where they were, with their mean velocity, and contact points have the sum of their impulses, where no joint holds any more the last ones.
+	/// Ends the step: bodies are where they were, with their mean velocity, and contact points have the sum of their impulses, where no joint holds any more the last ones, and none where they are no forces.
 	/// \param steps    how many inner steps it was
 	/// \param motions  gets how the bodies have moved
 	void finish(int steps, std::vector<BodyMotion>& motions);
@@ -139,6 +139,7 @@ private:
 	void addKinematic(btRigidBody& body);
 	void bookWork(const Point& point);
 	void leavePoints();
+	bool doPointsTellForces() const;
 	static void leave(const Point& point, const btScalar* impulses);
 	static void shift(Body& body, btScalar later);
 	void findTouched();

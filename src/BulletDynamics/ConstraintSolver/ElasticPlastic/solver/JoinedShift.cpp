@@ -48,6 +48,11 @@ struct GivenEnergy
 	}
 };
 
+const btRigidBody& bodyOf(const JointWorks& works, int side)
+{
+	return side == 0 ? works.m_model.bodyA() : works.m_model.bodyB();
+}
+
 /// By component what two loads have in common.
 btVector3 lesserOf(const btVector3& a, const btVector3& b)
 {
@@ -73,6 +78,9 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 	m_joints.resize(0);
 	m_bodies.resize(0);
 	m_isAnyAtBound = false;
+	m_givenToSupports = 0;
+	m_sumOfSupports.setZero();
+	m_numSupports = 0;
 	const btVector3 zero(0, 0, 0);
 	for (btRigidBody* body : bodies)
 	{
@@ -103,6 +111,13 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 		body->setCompanionId(-1);
 }
 
+/// What a joint's impulses give to a body by its velocities, with the sign of A's side [J].
+double JoinedShift::givenTo(const Joint& joint, int side, const btVector3& velocity, const btVector3& spin)
+{
+	const btVector3& arm = side == 0 ? joint.m_kinematics.m_rA : joint.m_kinematics.m_rB;
+	return double(joint.m_impulse.dot(velocity + spin.cross(arm))) + double(joint.m_twist.dot(spin));
+}
+
 void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 {
 	m_isAnyAtBound |= works.m_step.isAnyAtBound();
@@ -125,10 +140,17 @@ void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 	}
 	for (int side = 0; side < 2; ++side)
 	{
-		if (bodies[side] < 0)
-			continue;
-		Body& body = m_bodies[bodies[side]];
 		const btScalar sign = side == 0 ? btScalar(1) : btScalar(-1);
+		if (bodies[side] < 0)
+		{
+			const btRigidBody& support = bodyOf(works, side);
+			const btVector3 &velocity = support.getLinearVelocity(), &spin = support.getAngularVelocity();
+			m_givenToSupports += double(sign) * givenTo(joint, side, velocity, spin);
+			m_sumOfSupports += velocity;
+			++m_numSupports;
+			continue;
+		}
+		Body& body = m_bodies[bodies[side]];
 		const btVector3& arm = side == 0 ? joint.m_kinematics.m_rA : joint.m_kinematics.m_rB;
 		const btScalar* const load = state.m_load[side];
 		body.m_time = time;
@@ -178,9 +200,9 @@ double JoinedShift::getEnergy() const
 	return twice / 2;
 }
 
-void JoinedShift::apply()
+void JoinedShift::apply(bool isResolved)
 {
-	const btScalar share = findShare();
+	const btScalar share = findShare(isResolved);
 	if (share == 0)
 	{
 		for (int i = 0; i < m_bodies.size(); ++i)
@@ -199,14 +221,20 @@ void JoinedShift::apply()
 		b.setAngularVelocity(b.getAngularVelocity() + body.m_angular * share);
 	}
 	bookWork(share);
+	for (int i = 0; i < m_joints.size(); ++i)
+		m_joints[i].m_works->m_step.setEven(isResolved && !isLeftOut(m_joints[i].m_bodies[0]) &&
+											!isLeftOut(m_joints[i].m_bodies[1]));
 }
 
-/// The share of all that is given: all of it, unless the joints would give energy. Where something flows, unless they together with the loads would, too: of a structure that falls as it
+/// The share of all that is given: all of it, unless forces are not resolved and the joints would give energy. Where something flows, unless they together with the loads would, too: of a structure that falls as it
 /// yields loads give to what is later, and joints what is less to what is earlier, and only one of the two would add up. Nothing of what is beyond all numbers.
-btScalar JoinedShift::findShare() const
+btScalar JoinedShift::findShare(bool isResolved) const
 {
 	GivenEnergy ofJoints, ofAll;
+	ofJoints.m_first = m_givenToSupports;
 	double squares = 0;
+	// What travels as one is as it would be at rest.
+	const btVector3 travel = m_sumOfSupports / btScalar(btMax(m_numSupports, 1));
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		const Body& body = m_bodies[i];
@@ -216,7 +244,7 @@ btScalar JoinedShift::findShare() const
 		ofJoints.m_first += double(body.m_impulse.dot(v)) + double(body.m_twist.dot(w));
 		ofJoints.m_second +=
 			0.5 * (double(body.m_impulse.dot(body.m_linear)) + double(body.m_twist.dot(body.m_angular)));
-		ofAll.m_first += double(body.m_force.dot(v)) + double(body.m_torque.dot(w));
+		ofAll.m_first += double(body.m_force.dot(v - travel)) + double(body.m_torque.dot(w));
 		squares += double(v.length2() + w.length2());
 	}
 	ofAll.m_first += ofJoints.m_first;
@@ -225,6 +253,8 @@ btScalar JoinedShift::findShare() const
 		squares += double(m_joints[i].m_kinematics.m_rA.length2() + m_joints[i].m_kinematics.m_rB.length2());
 	if (!btElasticPlasticIsFinite(ofAll.m_first + ofAll.m_second + ofJoints.m_second + squares))
 		return 0;
+	if (isResolved)
+		return 1;
 	const btScalar share = ofJoints.shareWithoutGain();
 	return m_isAnyAtBound ? btMax(share, ofAll.shareWithoutGain()) : share;
 }
@@ -242,11 +272,11 @@ void JoinedShift::bookWork(btScalar share)
 		{
 			const Joint& joint = m_joints[i];
 			const Body* const body = joint.m_bodies[side] >= 0 ? &m_bodies[joint.m_bodies[side]] : nullptr;
-			if (!body || body->m_isLeftOut)
+			if (body && body->m_isLeftOut)
 				continue;
-			const btVector3& arm = side == 0 ? joint.m_kinematics.m_rA : joint.m_kinematics.m_rB;
-			const btVector3 way = body->m_meanLinear + body->m_meanAngular.cross(arm);
-			const double given = double(joint.m_impulse.dot(way)) + double(joint.m_twist.dot(body->m_meanAngular));
+			const double given = body ? givenTo(joint, side, body->m_meanLinear, body->m_meanAngular)
+									  : givenTo(joint, side, bodyOf(*joint.m_works, side).getLinearVelocity(),
+												bodyOf(*joint.m_works, side).getAngularVelocity());
 			joint.m_works->m_model.m_state.m_work -= double(share) * (side == 0 ? given : -given);
 		}
 }

@@ -21,7 +21,7 @@ namespace btElasticPlastic
 /// a tenth of its energy and more. It is taken of the forces in the middle of that time, and of the loads that were there in the
 /// last step and still are.
 ///
-/// Forces that the long step has not resolved would be a blow: all shares are less by one factor where else the joints would give
+/// Forces that a long step has not resolved would be a blow: all shares are less by one factor where else the joints would give
 /// energy to the bodies, where something flows they and the loads together, too.
 class JoinedShift
 {
@@ -48,7 +48,8 @@ public:
 	double getEnergy() const;
 
 	/// Gives it to the bodies, or a share of it, and books what the joints have given as their work.
-	void apply();
+	/// \param isResolved  steps have been chosen that resolve the joints' forces: all of it, and the joints' steps count as even
+	void apply(bool isResolved);
 
 	/// What a body's loads have given to it [J].
 	double getLoadWork(int body) const;
@@ -72,12 +73,17 @@ private:
 		btVector3 m_impulse, m_twist;  ///< about the common point, on body A [N s], [N m s]
 	};
 
+	static double givenTo(const Joint& joint, int side, const btVector3& velocity, const btVector3& spin);
 	void addJoint(JointWorks& works, const int bodies[2], btScalar h);
-	btScalar findShare() const;
+	btScalar findShare(bool isResolved) const;
+	bool isLeftOut(int body) const { return body >= 0 && m_bodies[body].m_isLeftOut; }
 	void bookWork(btScalar share);
 
 	btAlignedObjectArray<Body> m_bodies;
 	btAlignedObjectArray<Joint> m_joints;
+	double m_givenToSupports = 0;  ///< by joints to what is not the island's, as kinematic bodies [J]
+	btVector3 m_sumOfSupports;     ///< of their velocities [m/s]
+	int m_numSupports = 0;
 	bool m_isAnyAtBound = false;  ///< of the joints' rows
 };
 }  // namespace btElasticPlastic

@@ -49,19 +49,20 @@ double findResponse(const SystemInput& input, const SystemInput::Unit& unit, int
 	return response;
 }
 
-/// A contact that a user has given a stiffness is a spring: its depth is not to be taken back.
-bool isSpring(const btManifoldPoint& point)
-{
-	return (point.m_contactPointFlags &
-			(BT_CONTACT_FLAG_HAS_CONTACT_CFM | BT_CONTACT_FLAG_CONTACT_STIFFNESS_DAMPING)) != 0;
-}
 }  // namespace
 
 double Recovery::take(btSolverConstraint& contact, const btContactSolverInfo& info, double slowest)
 {
 	const btManifoldPoint* const point = static_cast<const btManifoldPoint*>(contact.m_originalContactPoint);
-	if (!point || isSpring(*point) || !(contact.m_jacDiagABInv > 0))
+	if (!point || !(contact.m_jacDiagABInv > 0))
 		return 0;
+	if (isSpring(*point) || info.m_globalCfm > 0)
+	{
+		// Its depth is its force. Where it is deeper than some centimetres Bullet would push places instead, and pull them out of the joints.
+		contact.m_rhs += contact.m_rhsPenetration;
+		contact.m_rhsPenetration = 0;
+		return 0;
+	}
 	const double gap = double(point->getDistance()) + double(info.m_linearSlop);
 	const btScalar factor = hasOwnFactor(*point) ? point->m_contactERP : info.m_erp2;
 	const double speed = -gap * double(factor) / double(info.m_timeStep);

@@ -10,6 +10,7 @@
 #include "BulletDynamics/ConstraintSolver/btHingeConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btSliderConstraint.h"
+#include "SpringLimits.h"
 
 namespace btElasticPlastic
 {
@@ -136,16 +137,33 @@ void changeFactors(btTypedConstraint& constraint, const Change& change)
 			return;
 	}
 }
+
+/// Each enabled spring's stiffness and damping become change(its degree of freedom, stiffness, damping).
+template <class Change>
+void changeSprings(btTypedConstraint& constraint, const Change& change)
+{
+	if (constraint.getConstraintType() != D6_SPRING_2_CONSTRAINT_TYPE)
+		return;
+	auto& sixDofs = static_cast<btGeneric6DofSpring2Constraint&>(constraint);
+	btTranslationalLimitMotor2& linear = *sixDofs.getTranslationalLimitMotor();
+	for (int dof = 0; dof < 6; ++dof)
+	{
+		btRotationalLimitMotor2* const angular = dof < 3 ? nullptr : sixDofs.getRotationalLimitMotor(dof - 3);
+		if (angular ? angular->m_enableSpring : linear.m_enableSpring[dof])
+			change(dof, angular ? angular->m_springStiffness : linear.m_springStiffness[dof],
+				   angular ? angular->m_springDamping : linear.m_springDamping[dof]);
+	}
+}
 }  // namespace
 
-void StepParameters::scale(const SolverGroup& island, btScalar share)
+void StepParameters::scale(const SolverGroup& island, btScalar share, btScalar dt)
 {
 	m_held.resize(0);
 	for (int i = 0; i < island.m_numConstraints; ++i)
-		scale(*island.m_constraints[i], !island.m_joints[i] || island.m_joints[i]->hasBaseRows(), share);
+		scale(*island.m_constraints[i], !island.m_joints[i] || island.m_joints[i]->hasBaseRows(), share, dt);
 }
 
-void StepParameters::scale(btTypedConstraint& constraint, bool hasFactors, btScalar share)
+void StepParameters::scale(btTypedConstraint& constraint, bool hasRows, btScalar share, btScalar dt)
 {
 	Held held;
 	held.m_constraint = &constraint;
@@ -153,13 +171,14 @@ void StepParameters::scale(btTypedConstraint& constraint, bool hasFactors, btSca
 	const btScalar threshold = constraint.getBreakingImpulseThreshold(), impulse = impulseOf(constraint);
 	held.m_threshold = {threshold, threshold < SIMD_INFINITY ? threshold * share : threshold};
 	held.m_impulse = {impulse, impulse > 0 ? impulse * share : impulse};
-	if (!hasFactors && !held.m_threshold.isScaled() && !held.m_impulse.isScaled())
+	if (!hasRows && !held.m_threshold.isScaled() && !held.m_impulse.isScaled())
 		return;
 	if (held.m_threshold.isScaled())
 		constraint.setBreakingImpulseThreshold(held.m_threshold.m_scaled);
 	if (held.m_impulse.isScaled())
 		setImpulse(constraint, held.m_impulse.m_scaled);
-	if (hasFactors)
+	if (hasRows)
+	{
 		changeFactors(constraint,
 					  [&](int place, btScalar factor)
 					  {
@@ -167,6 +186,17 @@ void StepParameters::scale(btTypedConstraint& constraint, bool hasFactors, btSca
 						  held.m_factor[place] = {factor, factor * share * share};
 						  return held.m_factor[place].m_scaled;
 					  });
+		changeSprings(constraint,
+					  [&](int dof, btScalar& stiffness, btScalar& damping)
+					  {
+						  const SpringLimits limits(static_cast<btGeneric6DofSpring2Constraint&>(constraint), dof, dt);
+						  held.m_springs |= 1u << dof;
+						  held.m_stiffness[dof] = {stiffness, limits.limitStiffness(stiffness)};
+						  held.m_damping[dof] = {damping, limits.limitDamping(damping)};
+						  stiffness = held.m_stiffness[dof].m_scaled;
+						  damping = held.m_damping[dof].m_scaled;
+					  });
+	}
 	m_held.push_back(held);
 }
 
@@ -191,5 +221,14 @@ void StepParameters::giveBack(const Held& held, bool mayBeChanged)
 		changeFactors(
 			constraint, [&](int place, btScalar factor)
 			{ return held.m_factors >> place & 1u ? held.m_factor[place].restored(factor, mayBeChanged) : factor; });
+	if (held.m_springs)
+		changeSprings(constraint,
+					  [&](int dof, btScalar& stiffness, btScalar& damping)
+					  {
+						  if (!(held.m_springs >> dof & 1u))
+							  return;
+						  stiffness = held.m_stiffness[dof].restored(stiffness, mayBeChanged);
+						  damping = held.m_damping[dof].restored(damping, mayBeChanged);
+					  });
 }
 }  // namespace btElasticPlastic

@@ -16,14 +16,17 @@ namespace btElasticPlastic
 ///  - Their own factors of error reduction (limits of hinges, sliders, cone twists and of our joints' free directions): by the square. An error that a
 ///    long step has left, closed by the same share in a short one, would come out as many times as fast; and in proportion it would be closed with
 ///    one speed through all of them, by a motor that feeds what rings. Bullet's common factor is in btContactSolverInfo.
+///  - Springs of btGeneric6DofSpring2Constraint: what Bullet lets them be in the whole step. One that a long step has let get deep, and a short one is stiffer by,
+///    gives what nobody has put into it.
 class StepParameters
 {
 public:
 	/// \param share  of the world's step
-	void scale(const SolverGroup& island, btScalar share);
+	/// \param dt     of the world's step [s]
+	void scale(const SolverGroup& island, btScalar share, btScalar dt);
 
-	/// The same for one more constraint. \param hasFactors  whether it has rows of Bullet's
-	void scale(btTypedConstraint& constraint, bool hasFactors, btScalar share);
+	/// The same for one more constraint. \param hasRows  whether it has rows of Bullet's
+	void scale(btTypedConstraint& constraint, bool hasRows, btScalar share, btScalar dt);
 
 	void restore();
 
@@ -46,7 +49,8 @@ public:
 private:
 	enum
 	{
-		MOST_FACTORS = 6
+		MOST_FACTORS = 6,
+		MOST_SPRINGS = 6
 	};
 
 	struct Value
@@ -67,6 +71,8 @@ private:
 		Value m_threshold, m_impulse;
 		unsigned m_factors = 0;  ///< bit i: has the factor i
 		Value m_factor[MOST_FACTORS] = {};
+		unsigned m_springs = 0;  ///< bit i: has the spring i
+		Value m_stiffness[MOST_SPRINGS] = {}, m_damping[MOST_SPRINGS] = {};
 	};
 
 	static void giveBack(const Held& held, bool mayBeChanged);

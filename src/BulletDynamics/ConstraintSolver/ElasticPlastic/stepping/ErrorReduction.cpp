@@ -11,7 +11,7 @@
 
 namespace btElasticPlastic
 {
-void ErrorReduction::scale(btDynamicsWorld& world, btScalar share)
+void ErrorReduction::scale(btDynamicsWorld& world, btScalar share, btScalar dt)
 {
 	btContactSolverInfo& info = world.getSolverInfo();
 	btScalar* const factors[2] = {&info.m_erp, &info.m_erp2};
@@ -25,7 +25,7 @@ void ErrorReduction::scale(btDynamicsWorld& world, btScalar share)
 	{
 		btTypedConstraint& constraint = *world.getConstraint(i);
 		const JointWorks* const joint = JointWorks::from(&constraint);
-		m_parameters.scale(constraint, !joint || !joint->m_model.isElasticPlasticThroughout(), share);
+		m_parameters.scale(constraint, !joint || !joint->m_model.isElasticPlasticThroughout(), share, dt);
 	}
 }
 

@@ -19,7 +19,8 @@ class ErrorReduction
 {
 public:
 	/// \param share  of the step
-	void scale(btDynamicsWorld& world, btScalar share);
+	/// \param dt     of the step [s]
+	void scale(btDynamicsWorld& world, btScalar share, btScalar dt);
 
 	/// What others have changed since stays as it is. A constraint that has left the world gets its own back when it is in it again: nobody knows whether
 	/// it still exists.

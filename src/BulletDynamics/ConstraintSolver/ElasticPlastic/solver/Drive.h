@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 Bullet Elastic-Plastic contributors
+// SPDX-License-Identifier: Zlib
+
+#ifndef BT_ELASTIC_PLASTIC_DRIVE_H
+#define BT_ELASTIC_PLASTIC_DRIVE_H
+
+class btTypedConstraint;
+
+namespace btElasticPlastic
+{
+/// Whether a constraint has rows of Bullet's that give energy to its bodies and take it back: springs or motors.
+bool hasDrive(btTypedConstraint& constraint);
+}  // namespace btElasticPlastic
+
+#endif  // BT_ELASTIC_PLASTIC_DRIVE_H
