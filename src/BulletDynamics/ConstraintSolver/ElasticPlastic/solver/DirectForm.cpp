@@ -20,6 +20,9 @@ namespace
 /// Softening of contacts as a share of A: the augmented Lagrangian then gains two digits a loop, and the matrix stays well
 /// conditioned.
 const double SOFTENING = 1e-2;
+/// The least compliance of the rows of Bullet's constraints, as a share of A: whatever digits it has less, momentum has, too. With HARD it is right to five.
+/// They bear loads of up to a million times the bodies' mass. Contacts are softened, and made harder as they need it.
+const double HARDEST_ROW = 1e-10;
 /// The upper bound of a contact's normal impulse: none.
 const double UNBOUNDED = 1e30;
 /// A contact slides, as a first guess, if its friction had this share of its bound in the last step.
@@ -363,7 +366,7 @@ void DirectForm::addUnitAsSingleRows(const JointRows& rows, const int solverBodi
 
 /// Adds one of Bullet's rows. The fixed point of Bullet's iteration is rhs = cfm impulse + jacDiagABInv J dv, with
 /// jacDiagABInv = 1 / (A + C); divided by jacDiagABInv it is the system's row.
-SystemInput::SingleRow& DirectForm::addRow(btSolverConstraint& from, const SolverPools& pools)
+SystemInput::SingleRow& DirectForm::addRow(btSolverConstraint& from, double hardest, const SolverPools& pools)
 {
 	const int bodies[2] = {addBody(from.m_solverBodyIdA, pools), addBody(from.m_solverBodyIdB, pools)};
 	SystemInput::SingleRow& row = m_input.addSingleRow();
@@ -378,7 +381,7 @@ SystemInput::SingleRow& DirectForm::addRow(btSolverConstraint& from, const Solve
 	SystemInput::Bounded& terms = m_input.m_rows[row.m_row];
 	const double diagonal = from.m_jacDiagABInv > 0 ? 1 / double(from.m_jacDiagABInv) : 1;
 	terms.m_target = double(from.m_rhs) * diagonal;
-	terms.m_compliance = btMax(double(from.m_cfm), HARD) * diagonal;
+	terms.m_compliance = btMax(double(from.m_cfm), hardest) * diagonal;
 	terms.m_lower = from.m_lowerLimit;
 	terms.m_upper = from.m_upperLimit;
 	boundInfinite(terms);
@@ -392,7 +395,7 @@ SystemInput::SingleRow& DirectForm::addRow(btSolverConstraint& from, const Solve
 /// given to the bodies is taken back: the system gives it itself.
 SystemInput::SingleRow& DirectForm::addContactRow(btSolverConstraint& from, const SolverPools& pools)
 {
-	SystemInput::SingleRow& row = addRow(from, pools);
+	SystemInput::SingleRow& row = addRow(from, HARD, pools);
 	SystemInput::Bounded& terms = m_input.m_rows[row.m_row];
 	row.m_isContact = true;
 	row.m_softening = btMax(0., SOFTENING / double(from.m_jacDiagABInv) - terms.m_compliance);
@@ -426,7 +429,7 @@ void DirectForm::addConstraints(const SolverPools& pools)
 	}
 	for (int i = 0; i < pools.m_constraints.size(); ++i)
 		if (!m_sweepsContacts || isInside(pools.m_constraints[i]))
-			addRow(pools.m_constraints[i], pools);
+			addRow(pools.m_constraints[i], HARDEST_ROW, pools);
 		else
 			m_swept.addConstraint(i);
 }

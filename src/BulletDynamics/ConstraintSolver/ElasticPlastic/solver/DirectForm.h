@@ -84,7 +84,8 @@ private:
 	btVector3 dampingImpulse(const Joint& joint) const;
 	void giveRecovery(const Joint& joint) const;
 	void addUnitAsSingleRows(const JointRows& rows, const int solverBodies[2], const SolverPools& pools);
-	SystemInput::SingleRow& addRow(btSolverConstraint& row, const SolverPools& pools);
+	/// \param hardest  its least compliance, as a share of its A
+	SystemInput::SingleRow& addRow(btSolverConstraint& row, double hardest, const SolverPools& pools);
 	SystemInput::SingleRow& addContactRow(btSolverConstraint& row, const SolverPools& pools);
 	void addConstraints(const SolverPools& pools);
 	void chooseExactContacts(const SolverPools& pools);

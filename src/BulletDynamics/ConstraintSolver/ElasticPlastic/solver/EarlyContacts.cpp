@@ -17,6 +17,7 @@
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "ContactPlace.h"
 #include "InnerSteps.h"
 #include "LinearMath/btTransformUtil.h"
 
@@ -200,14 +201,6 @@ void detect(const Way ways[2], btPersistentManifold& manifold, btDispatcher& dis
 	dispatcher.freeCollisionAlgorithm(algorithm);
 }
 
-/// Puts a point that was found elsewhere to where the bodies are.
-void findPlace(const Way ways[2], btManifoldPoint& point)
-{
-	point.m_positionWorldOnA = ways[0].m_now(point.m_localPointA);
-	point.m_positionWorldOnB = ways[1].m_now(point.m_localPointB);
-	point.m_distance1 = (point.m_positionWorldOnA - point.m_positionWorldOnB).dot(point.m_normalWorldOnB);
-}
-
 bool isCandidate(const btPersistentManifold& manifold, Islands& islands)
 {
 	const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
@@ -256,7 +249,7 @@ void addRestOfFace(const Way ways[2], btPersistentManifold& manifold, btDispatch
 			if (!isOfFace(point))
 				continue;
 			isAny = true;
-			findPlace(ways, point);
+			placeContact(point, ways[0].m_now, ways[1].m_now);
 			if (point.m_distance1 > 0 && manifold.getNumContacts() < MANIFOLD_CACHE_SIZE &&
 				manifold.getCacheEntry(point) < 0)
 				manifold.addManifoldPoint(point);
@@ -290,7 +283,7 @@ bool findMeeting(const Way ways[2], btScalar length, btPersistentManifold& manif
 	for (int i = 0; i < manifold.getNumContacts(); ++i)
 	{
 		btManifoldPoint& point = manifold.getContactPoint(i);
-		findPlace(ways, point);
+		placeContact(point, ways[0].m_now, ways[1].m_now);
 		isAhead &= point.m_distance1 >= least;
 	}
 	// Bodies that do not touch yet, but lie in each other along the normal, do not come together that way: an edge passes by a face.

@@ -280,7 +280,6 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 	const SolverGroup& island = task.m_island;
 	m_state.begin(island, task.m_info.m_timeStep, registry);
 	task.m_rhythm = rhythmOf(island);
-	task.m_isDriven = isDriven(island);
 	task.m_blow = task.m_rhythm.m_quiet > 0 ? m_state.getEnergyOfBlow() : 0;
 	if (m_state.hasSpringContact())
 		task.m_maxLevel = 0;
@@ -367,7 +366,8 @@ bool InnerSteps::isRinging(const Task& task, const Attempt& attempt) const
 void InnerSteps::findNext(const Task& task, int level, Attempt& attempt) const
 {
 	attempt.m_isLong = attempt.m_open > task.m_settings.m_innerError;
-	if (isRinging(task, attempt) || (level == 0 && task.m_isDriven && !attempt.m_flows && !attempt.m_isStruck))
+	const bool isElastic = level == 0 && attempt.m_isLong && !attempt.m_flows && !attempt.m_isStruck;
+	if (isRinging(task, attempt) || (isElastic && isDriven(task.m_island)))
 		limit(attempt, task.m_settings.m_innerError);
 	attempt.m_next = refine(task, level, attempt);
 }

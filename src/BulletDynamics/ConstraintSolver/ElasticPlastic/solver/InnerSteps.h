@@ -65,7 +65,6 @@ private:
 		int m_maxLevel;
 		InnerRhythm m_rhythm = {};  ///< before the step
 		bool m_isResolved = false;  ///< see JointRegistry::setStepControlled()
-		bool m_isDriven = false;    ///< by springs or motors of Bullet's
 		double m_blow = 0;          ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
 		// Of the present attempt:
 		int m_numSolutions = 0;

@@ -8,6 +8,7 @@
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
 #include "ContactFactors.h"
+#include "ContactPlace.h"
 #include "BulletCollision/NarrowPhaseCollision/btPersistentManifold.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btTransformUtil.h"
@@ -426,11 +427,7 @@ void IslandState::carry(btScalar end, btScalar h, btScalar leastSpeed)
 		if (isFirst)
 			p.m_distance1 = point.m_distance;
 		else
-		{
-			p.m_positionWorldOnA = point.m_objects[0]->getWorldTransform()(p.m_localPointA);
-			p.m_positionWorldOnB = point.m_objects[1]->getWorldTransform()(p.m_localPointB);
-			p.m_distance1 = (p.m_positionWorldOnA - p.m_positionWorldOnB).dot(p.m_normalWorldOnB);
-		}
+			placeContact(p, point.m_objects[0]->getWorldTransform(), point.m_objects[1]->getWorldTransform());
 		const btScalar approach = p.m_combinedRestitution > 0 && p.m_distance1 > 0 ? approachOf(point) : btScalar(0);
 		if (approach > leastSpeed)
 			btSetMax(p.m_distance1, 4 * approach * h + btScalar(0.01));
