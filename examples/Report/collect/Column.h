@@ -47,10 +47,10 @@ Column<Record> fileName(const char* name, std::string Record::*field)
 	{
 		read(record, json);
 		const std::string& given = record.*field;
-		const auto isPlain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'; };
+		const auto isPlain = [](char c)
+		{ return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'; };
 		if (given.empty() || given.size() > 64 || !std::all_of(given.begin(), given.end(), isPlain))
-			throw std::runtime_error("is " + shown(given) +
-									 "; it must be 1 to 64 letters, digits and hyphens");
+			throw std::runtime_error("is " + shown(given) + "; it must be 1 to 64 letters, digits and hyphens");
 	};
 	return text;
 }

@@ -46,8 +46,7 @@ struct Query : btBroadphaseAabbCallback
 		btCollisionObject* const object = static_cast<btCollisionObject*>(other->m_clientObject);
 		btRigidBody* const body = btRigidBody::upcast(object);
 		if (other == mine || !body || (!m_joined.isMarked(*m_body) && !m_joined.isMarked(*body)) ||
-			!passesFilter(*mine, const_cast<btBroadphaseProxy&>(*other)) ||
-			!m_body->checkCollideWith(body))
+			!passesFilter(*mine, const_cast<btBroadphaseProxy&>(*other)) || !m_body->checkCollideWith(body))
 			return true;
 		m_result.m_isBlow |=
 			!TestAabbAgainstAabb2(mine->m_aabbMin, mine->m_aabbMax, other->m_aabbMin, other->m_aabbMax);

@@ -20,7 +20,8 @@ public:
 	/// them.
 	/// \param joints  of the world
 	/// \param ahead   how far ahead yield is looked for, the length of the step [s]
-	void measure(const btDynamicsWorld& world, const btAlignedObjectArray<btElasticPlasticJoint*>& joints, double ahead);
+	void measure(const btDynamicsWorld& world, const btAlignedObjectArray<btElasticPlasticJoint*>& joints,
+				 double ahead);
 
 	/// T, the largest of all islands.
 	double getShare() const { return m_share; }

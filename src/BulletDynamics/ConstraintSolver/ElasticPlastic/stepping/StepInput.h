@@ -55,7 +55,8 @@ private:
 		btMotionState* m_motionState;  ///< the body's own
 		int m_proxy;
 		btTransform m_start, m_end, m_place;
-		bool m_isReady = true;  ///< whether the next reading is the one after which the body gets its own motion state back
+		bool m_isReady =
+			true;  ///< whether the next reading is the one after which the body gets its own motion state back
 	};
 
 	const btDynamicsWorld& m_world;
