@@ -44,10 +44,8 @@ Outcome solve(const char* problem, double error)
 /// step become long early.
 TEST(StepControl, KeepsToTheErrorThatIsAllowed)
 {
-	const std::map<std::string, double> coarse = {{"block-reversed-90kN", 0.2},
-												  {"cyclic-bending", 0.16},
-												  {"crack-opening", 0.2}},
-										fine = {{"block-reversed-60kN", 0.06},
+	const std::map<std::string, double> coarse = {{"block-reversed-90kN", 0.2}, {"crack-opening", 0.2}},
+										fine = {{"block-reversed-60kN", 0.045},
 												{"block-reversed-90kN", 0.035},
 												{"cantilever-swinging", 0.03},
 												{"parkes-light", 0.03},

@@ -6,6 +6,7 @@
 #include "../../btElasticPlasticJoint.h"
 #include "../joint/BodyGate.h"
 #include "../joint/JointWorks.h"
+#include "../solver/Drive.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 
 namespace btElasticPlastic
@@ -14,12 +15,15 @@ void OpenWork::measure(const btDynamicsWorld& world, const btAlignedObjectArray<
 					   double ahead)
 {
 	addBodies(world);
+	addDrives(world);
 	addJoints(joints, ahead);
 	m_share = m_mendableShare = 0;
 	for (int i = 0; i < m_islands.size(); ++i)
 	{
-		m_share = btMax(m_share, m_islands[i].getShare());
-		m_mendableShare = btMax(m_mendableShare, m_islands[i].getMendableShare());
+		const Island& island = m_islands[i];
+		m_share = btMax(m_share, island.m_open.getShare());
+		if (island.m_flows || !island.m_isDriven)
+			m_mendableShare = btMax(m_mendableShare, island.m_open.getMendableShare());
 	}
 }
 
@@ -35,7 +39,22 @@ void OpenWork::addBodies(const btDynamicsWorld& world)
 			continue;
 		const int tag = body->getIslandTag();
 		if (tag >= 0 && tag < m_islands.size())
-			m_islands[tag].addBody(*body);
+			m_islands[tag].m_open.addBody(*body);
+	}
+}
+
+void OpenWork::addDrives(const btDynamicsWorld& world)
+{
+	for (int i = 0; i < world.getNumConstraints(); ++i)
+	{
+		// What of Bullet asks for its kind and motors does not change it.
+		auto& constraint = const_cast<btTypedConstraint&>(*world.getConstraint(i));
+		const JointWorks* const joint = JointWorks::from(&constraint);
+		if (!constraint.isEnabled() || (joint && !joint->hasBaseRows()) || !hasDrive(constraint))
+			continue;
+		for (const btRigidBody* body : {&constraint.getRigidBodyA(), &constraint.getRigidBodyB()})
+			if (!isHeld(*body) && body->getIslandTag() >= 0 && body->getIslandTag() < m_islands.size())
+				m_islands[body->getIslandTag()].m_isDriven = true;
 	}
 }
 
@@ -49,11 +68,12 @@ void OpenWork::addJoints(const btAlignedObjectArray<btElasticPlasticJoint*>& joi
 		const int tag = (isAHeld ? b : a).getIslandTag();
 		if (tag < 0 || tag >= m_islands.size())
 			continue;
-		OpenShare& island = m_islands[tag];
+		OpenShare& island = m_islands[tag].m_open;
 		if (isAHeld || isHeld(b))
 			island.addSupport(isAHeld ? a : b, joint.getPosition());
 		const double place = double(joint.getPosition().length()) + 1, length = joint.getState().m_lastStep;
 		const JointStep& step = JointWorks::of(joint).m_step;
+		m_islands[tag].m_flows |= step.isAnyAtBound();
 		btScalar before[BT_EP_DOF_COUNT], after[BT_EP_DOF_COUNT];
 		step.getMotion(before, after);
 		for (int r = 0; r < step.getNumCommittedRows(); ++r)

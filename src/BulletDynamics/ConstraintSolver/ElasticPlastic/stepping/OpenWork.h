@@ -26,15 +26,22 @@ public:
 	/// T, the largest of all islands.
 	double getShare() const { return m_share; }
 
-	/// T without what may be the rounding of positions, which shorter substeps do not reduce.
+	/// T without what may be the rounding of positions, which shorter substeps do not reduce, and without what moves elastically where springs or motors
+	/// of Bullet's act: what these give and take in half a substep, whenever it changes, would add up.
 	double getMendableShare() const { return m_mendableShare; }
 
 private:
 	void addBodies(const btDynamicsWorld& world);
+	void addDrives(const btDynamicsWorld& world);
 	void addJoints(const btAlignedObjectArray<btElasticPlasticJoint*>& joints, double ahead);
 
 	double m_share = 0, m_mendableShare = 0;
-	btAlignedObjectArray<OpenShare> m_islands;  ///< by Bullet's island tag
+	struct Island
+	{
+		OpenShare m_open;
+		bool m_isDriven = false, m_flows = false;
+	};
+	btAlignedObjectArray<Island> m_islands;  ///< by Bullet's island tag
 };
 }  // namespace btElasticPlastic
 
