@@ -188,7 +188,7 @@ RigidMotion EnergyLedger::findReference(const Account& account) const
 		const JointModel& model = m_entries[i].m_joint->m_model;
 		for (const btRigidBody* body : {&model.bodyA(), &model.bodyB()})
 			if (isHeld(*body))
-				return body->isKinematicObject() ? RigidMotion::of(*body) : RigidMotion();
+				return RigidMotion::ofHeld(*body);
 	}
 	return RigidMotion::of(m_parts.data(), int(m_parts.size()));
 }

@@ -8,7 +8,6 @@
 #include <math.h>
 
 #include "BodyLoad.h"
-#include "Diagonal.h"
 
 namespace btElasticPlastic
 {

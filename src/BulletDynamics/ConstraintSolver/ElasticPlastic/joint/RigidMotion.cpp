@@ -26,6 +26,8 @@ RigidMotion RigidMotion::of(const btRigidBody& body)
 	return motion;
 }
 
+RigidMotion RigidMotion::ofHeld(const btRigidBody& body) { return body.isKinematicObject() ? of(body) : RigidMotion(); }
+
 RigidMotion RigidMotion::of(const Part* parts, int numParts)
 {
 	RigidMotion motion;

@@ -21,6 +21,8 @@ struct RigidMotion
 
 	/// That of a body.
 	static RigidMotion of(const btRigidBody& body);
+	/// That of one that stands or goes its way: a static one stands, whatever velocity it has been given.
+	static RigidMotion ofHeld(const btRigidBody& body);
 
 	/// A body that moves: where it is, and how fast.
 	struct Part

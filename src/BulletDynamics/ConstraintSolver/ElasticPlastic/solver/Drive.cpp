@@ -3,6 +3,7 @@
 
 #include "Drive.h"
 
+#include "../joint/JointWorks.h"
 #include "BulletDynamics/ConstraintSolver/btConeTwistConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btGeneric6DofConstraint.h"
 #include "BulletDynamics/ConstraintSolver/btGeneric6DofSpring2Constraint.h"
@@ -34,8 +35,6 @@ bool drivesSixDofs(btGeneric6DofSpring2Constraint& constraint)
 	}
 	return false;
 }
-}  // namespace
-
 bool hasDrive(btTypedConstraint& constraint)
 {
 	switch (constraint.getConstraintType())
@@ -57,5 +56,11 @@ bool hasDrive(btTypedConstraint& constraint)
 		default:
 			return false;
 	}
+}
+}  // namespace
+
+bool isDrive(btTypedConstraint& constraint, const JointWorks* joint)
+{
+	return constraint.isEnabled() && (!joint || joint->hasBaseRows()) && hasDrive(constraint);
 }
 }  // namespace btElasticPlastic

@@ -8,8 +8,11 @@ class btTypedConstraint;
 
 namespace btElasticPlastic
 {
+class JointWorks;
+
 /// Whether a constraint has rows of Bullet's that give energy to its bodies and take it back: springs or motors.
-bool hasDrive(btTypedConstraint& constraint);
+/// \param joint  that it is, null: none of ours
+bool isDrive(btTypedConstraint& constraint, const JointWorks* joint);
 }  // namespace btElasticPlastic
 
 #endif  // BT_ELASTIC_PLASTIC_DRIVE_H

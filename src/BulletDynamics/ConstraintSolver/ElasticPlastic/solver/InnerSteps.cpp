@@ -120,7 +120,7 @@ bool damps(const SolverGroup& island)
 bool isDriven(const SolverGroup& island)
 {
 	for (int i = 0; i < island.m_numConstraints; ++i)
-		if ((!island.m_joints[i] || island.m_joints[i]->hasBaseRows()) && hasDrive(*island.m_constraints[i]))
+		if (isDrive(*island.m_constraints[i], island.m_joints[i]))
 			return true;
 	return false;
 }

@@ -6,6 +6,7 @@
 #include "../joint/BodyLoad.h"
 #include "../joint/Diagonal.h"
 #include "../joint/JointWorks.h"
+#include "../joint/RigidMotion.h"
 
 namespace btElasticPlastic
 {
@@ -78,9 +79,6 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 	m_joints.resize(0);
 	m_bodies.resize(0);
 	m_isAnyAtBound = false;
-	m_givenToSupports = 0;
-	m_sumOfSupports.setZero();
-	m_numSupports = 0;
 	const btVector3 zero(0, 0, 0);
 	for (btRigidBody* body : bodies)
 	{
@@ -118,6 +116,13 @@ double JoinedShift::givenTo(const Joint& joint, int side, const btVector3& veloc
 	return double(joint.m_impulse.dot(velocity + spin.cross(arm))) + double(joint.m_twist.dot(spin));
 }
 
+/// The same of a body that is none of the island's.
+double JoinedShift::givenToSupport(const Joint& joint, int side)
+{
+	const RigidMotion motion = RigidMotion::ofHeld(bodyOf(*joint.m_works, side));
+	return givenTo(joint, side, motion.m_velocity, motion.m_spin);
+}
+
 void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 {
 	m_isAnyAtBound |= works.m_step.isAnyAtBound();
@@ -142,14 +147,7 @@ void JoinedShift::addJoint(JointWorks& works, const int bodies[2], btScalar h)
 	{
 		const btScalar sign = side == 0 ? btScalar(1) : btScalar(-1);
 		if (bodies[side] < 0)
-		{
-			const btRigidBody& support = bodyOf(works, side);
-			const btVector3 &velocity = support.getLinearVelocity(), &spin = support.getAngularVelocity();
-			m_givenToSupports += double(sign) * givenTo(joint, side, velocity, spin);
-			m_sumOfSupports += velocity;
-			++m_numSupports;
 			continue;
-		}
 		Body& body = m_bodies[bodies[side]];
 		const btVector3& arm = side == 0 ? joint.m_kinematics.m_rA : joint.m_kinematics.m_rB;
 		const btScalar* const load = state.m_load[side];
@@ -231,10 +229,21 @@ void JoinedShift::apply(bool isResolved)
 btScalar JoinedShift::findShare(bool isResolved) const
 {
 	GivenEnergy ofJoints, ofAll;
-	ofJoints.m_first = m_givenToSupports;
 	double squares = 0;
-	// What travels as one is as it would be at rest.
-	const btVector3 travel = m_sumOfSupports / btScalar(btMax(m_numSupports, 1));
+	// What travels as one with what holds it is as it would be at rest.
+	btVector3 travel(0, 0, 0);
+	int numSupports = 0;
+	for (int i = 0; i < m_joints.size(); ++i)
+		for (int side = 0; side < 2; ++side)
+		{
+			const Joint& joint = m_joints[i];
+			if (joint.m_bodies[side] >= 0)
+				continue;
+			ofJoints.m_first += (side == 0 ? 1 : -1) * givenToSupport(joint, side);
+			travel += RigidMotion::ofHeld(bodyOf(*joint.m_works, side)).m_velocity;
+			++numSupports;
+		}
+	travel /= btScalar(btMax(numSupports, 1));
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		const Body& body = m_bodies[i];
@@ -274,9 +283,8 @@ void JoinedShift::bookWork(btScalar share)
 			const Body* const body = joint.m_bodies[side] >= 0 ? &m_bodies[joint.m_bodies[side]] : nullptr;
 			if (body && body->m_isLeftOut)
 				continue;
-			const double given = body ? givenTo(joint, side, body->m_meanLinear, body->m_meanAngular)
-									  : givenTo(joint, side, bodyOf(*joint.m_works, side).getLinearVelocity(),
-												bodyOf(*joint.m_works, side).getAngularVelocity());
+			const double given =
+				body ? givenTo(joint, side, body->m_meanLinear, body->m_meanAngular) : givenToSupport(joint, side);
 			joint.m_works->m_model.m_state.m_work -= double(share) * (side == 0 ? given : -given);
 		}
 }

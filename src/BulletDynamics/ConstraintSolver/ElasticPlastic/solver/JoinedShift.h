@@ -74,6 +74,7 @@ private:
 	};
 
 	static double givenTo(const Joint& joint, int side, const btVector3& velocity, const btVector3& spin);
+	static double givenToSupport(const Joint& joint, int side);
 	void addJoint(JointWorks& works, const int bodies[2], btScalar h);
 	btScalar findShare(bool isResolved) const;
 	bool isLeftOut(int body) const { return body >= 0 && m_bodies[body].m_isLeftOut; }
@@ -81,9 +82,6 @@ private:
 
 	btAlignedObjectArray<Body> m_bodies;
 	btAlignedObjectArray<Joint> m_joints;
-	double m_givenToSupports = 0;  ///< by joints to what is not the island's, as kinematic bodies [J]
-	btVector3 m_sumOfSupports;     ///< of their velocities [m/s]
-	int m_numSupports = 0;
 	bool m_isAnyAtBound = false;  ///< of the joints' rows
 };
 }  // namespace btElasticPlastic

@@ -49,8 +49,7 @@ void OpenWork::addDrives(const btDynamicsWorld& world)
 	{
 		// What of Bullet asks for its kind and motors does not change it.
 		auto& constraint = const_cast<btTypedConstraint&>(*world.getConstraint(i));
-		const JointWorks* const joint = JointWorks::from(&constraint);
-		if (!constraint.isEnabled() || (joint && !joint->hasBaseRows()) || !hasDrive(constraint))
+		if (!isDrive(constraint, JointWorks::from(&constraint)))
 			continue;
 		for (const btRigidBody* body : {&constraint.getRigidBodyA(), &constraint.getRigidBodyB()})
 			if (!isHeld(*body) && body->getIslandTag() >= 0 && body->getIslandTag() < m_islands.size())
