@@ -10,6 +10,7 @@
 #include "BodyGate.h"
 #include "BodyLoad.h"
 #include "Diagonal.h"
+#include "JoinedVelocity.h"
 
 namespace btElasticPlastic
 {
@@ -79,8 +80,8 @@ bool JointStep::evaluate(btScalar dt)
 	}
 	btScalar velocity[BT_EP_DOF_COUNT];
 	projectVelocities(velocity);
-	m_spin0[0] = m_model.bodyA().getAngularVelocity();
-	m_spin0[1] = m_model.bodyB().getAngularVelocity();
+	m_spin0[0] = spinOf(m_model.bodyA());
+	m_spin0[1] = spinOf(m_model.bodyB());
 	m_dampingImpulse.setZero();
 	m_hasRecovery = m_isCut = m_isWorkKnown = false;
 	for (int r = 0, rows = m_numRows; r < rows; ++r)

@@ -9,6 +9,7 @@
 
 #include "BodyGate.h"
 #include "BodyLoad.h"
+#include "JoinedVelocity.h"
 
 namespace btElasticPlastic
 {
@@ -278,7 +279,7 @@ int JointStep::commit(double share, bool isNew)
 	for (int side = 0; side < 2; ++side)
 	{
 		const btRigidBody& body = side == 0 ? m_model.bodyA() : m_model.bodyB();
-		const btScalar spin = body.getAngularVelocity().length() + (m_hasRecovery ? m_recoverySpin[side] : btScalar(0));
+		const btScalar spin = spinOf(body).length() + (m_hasRecovery ? m_recoverySpin[side] : btScalar(0));
 		state.m_spin[side] = btMin(spin, btScalar(BT_LARGE_FLOAT));
 		const btVector3 force = forceBesideWeight(body);
 		for (int k = 0; k < 3; ++k)

@@ -6,6 +6,7 @@
 #include "JointStep.h"
 
 #include "BodyGate.h"
+#include "JoinedVelocity.h"
 
 namespace btElasticPlastic
 {
@@ -18,9 +19,8 @@ const btScalar LEAST_TURN_AS_ONE = btScalar(1e-6), MOST_TURN_AS_ONE = btScalar(0
 void JointStep::projectVelocities(btScalar onAxes[BT_EP_DOF_COUNT]) const
 {
 	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
-	m_kinematics.projectMotion(
-		A.getVelocityInLocalPoint(m_kinematics.m_rA) - B.getVelocityInLocalPoint(m_kinematics.m_rB),
-		A.getAngularVelocity() - B.getAngularVelocity(), onAxes);
+	m_kinematics.projectMotion(velocityAt(A, m_kinematics.m_rA) - velocityAt(B, m_kinematics.m_rB),
+							   spinOf(A) - spinOf(B), onAxes);
 }
 
 bool JointStep::projectMotion(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT_EP_DOF_COUNT]) const
@@ -60,8 +60,8 @@ void JointStep::leaveTurnOut(btScalar before[BT_EP_DOF_COUNT], btScalar after[BT
 {
 	const auto lasting = [](const btVector3& one, const btVector3& other)
 	{ return one.length2() < other.length2() ? one : other; };
-	const btVector3 spins[2] = {lasting(m_spin0[0], m_model.bodyA().getAngularVelocity()),
-								lasting(m_spin0[1], m_model.bodyB().getAngularVelocity())};
+	const btVector3 spins[2] = {lasting(m_spin0[0], spinOf(m_model.bodyA())),
+								lasting(m_spin0[1], spinOf(m_model.bodyB()))};
 	const btScalar turn = m_dt * btSqrt(btMax(spins[0].length2(), spins[1].length2()));
 	if (turn < LEAST_TURN_AS_ONE || turn > MOST_TURN_AS_ONE)
 		return;
@@ -91,14 +91,13 @@ void JointStep::projectEnd(btScalar onAxes[BT_EP_DOF_COUNT], btVector3& spin) co
 	const btRigidBody &A = m_model.bodyA(), &B = m_model.bodyB();
 	// Bullet does not move what is static or frozen, and leaves it the velocities of its last motion.
 	const btVector3 still(0, 0, 0);
-	const auto moves = [](const btRigidBody& body)
-	{ return (!body.isStaticObject() || body.isKinematicObject()) && !isFrozen(body); };
-	const auto spinOf = [&](const btRigidBody& body)
+	const auto moves = [](const btRigidBody& body) { return !isStanding(body) && !isFrozen(body); };
+	const auto lastSpin = [&](const btRigidBody& body)
 	{ return moves(body) ? body.getInterpolationAngularVelocity() : still; };
-	const auto velocityOf = [&](const btRigidBody& body)
+	const auto lastVelocity = [&](const btRigidBody& body)
 	{ return moves(body) ? body.getInterpolationLinearVelocity() : still; };
-	const btVector3 wA = spinOf(A), wB = spinOf(B);
+	const btVector3 wA = lastSpin(A), wB = lastSpin(B);
 	spin = wA - wB;
-	k.projectMotion(velocityOf(A) + wA.cross(k.m_rA) - velocityOf(B) - wB.cross(k.m_rB), spin, onAxes);
+	k.projectMotion(lastVelocity(A) + wA.cross(k.m_rA) - lastVelocity(B) - wB.cross(k.m_rB), spin, onAxes);
 }
 }  // namespace btElasticPlastic

@@ -10,6 +10,7 @@
 #include "BulletDynamics/ConstraintSolver/btSolverBody.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "Diagonal.h"
+#include "JoinedVelocity.h"
 #include "JointRegistry.h"
 #include "LoadWatch.h"
 
@@ -236,6 +237,18 @@ void copy(btScalar* to, const btVector3& from)
 	for (int i = 0; i < 3; ++i)
 		to[i] = from[i];
 }
+
+/// What Bullet's solver adds to J v for the velocity of a body that stands, see JoinedVelocity.h.
+btScalar velocityOfStanding(const btRigidBody& body, const btScalar* linearAxis, const btScalar* angularAxis)
+{
+	if (!isStanding(body))
+		return 0;
+	const btVector3 &v = body.getLinearVelocity(), &w = body.getAngularVelocity();
+	btScalar sum = 0;
+	for (int i = 0; i < 3; ++i)
+		sum += linearAxis[i] * v[i] + angularAxis[i] * w[i];
+	return sum;
+}
 }  // namespace
 
 void JointWorks::writeRows(btTypedConstraint::btConstraintInfo2* info, int firstRow)
@@ -279,10 +292,13 @@ void JointWorks::writeRows(btTypedConstraint::btConstraintInfo2* info, int first
 			if (isWhole)
 				a = diagonal.about(axis);
 		}
+		info->m_constraintError[s] =
+			velocityOfStanding(m_model.bodyA(), info->m_J1linearAxis + s, info->m_J1angularAxis + s) +
+			velocityOfStanding(m_model.bodyB(), info->m_J2linearAxis + s, info->m_J2angularAxis + s);
 		if (!isWhole)
 			continue;
 		const SoftRow soft = m_step.makeRow(r, a, info->erp, true);
-		info->m_constraintError[s] = soft.m_velocity;
+		info->m_constraintError[s] += soft.m_velocity;
 		info->cfm[s] = soft.m_compliance / a;
 		info->m_lowerLimit[s] = soft.m_lower;
 		info->m_upperLimit[s] = soft.m_upper;
@@ -404,8 +420,7 @@ btVector3 JointWorks::relativeVelocity() const
 {
 	const btRigidBody &a = m_model.bodyA(), &b = m_model.bodyB();
 	const btVector3 place = m_joint.getPosition();
-	return b.getVelocityInLocalPoint(place - b.getCenterOfMassPosition()) -
-		   a.getVelocityInLocalPoint(place - a.getCenterOfMassPosition());
+	return velocityAt(b, place - b.getCenterOfMassPosition()) - velocityAt(a, place - a.getCenterOfMassPosition());
 }
 
 void JointWorks::updateDrawnFrames() { m_joint.updateDrawnFrames(); }

@@ -5,7 +5,7 @@
 
 #include <math.h>
 
-#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "JoinedVelocity.h"
 
 namespace btElasticPlastic
 {
@@ -45,7 +45,7 @@ void OpenShare::addBody(const btRigidBody& body)
 /// counts that leaves the least.
 void OpenShare::addSupport(const btRigidBody& support, const btVector3& place)
 {
-	const btVector3 v = support.getVelocityInLocalPoint(place - support.getCenterOfMassPosition());
+	const btVector3 v = velocityAt(support, place - support.getCenterOfMassPosition());
 	double carried = 0;
 	for (int k = 0; k < 3; ++k)
 		carried += double(v[k]) * (m_momentum[k] - 0.5 * m_mass * double(v[k]));

@@ -3,7 +3,7 @@
 
 #include "TensionDamping.h"
 
-#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "JoinedVelocity.h"
 
 namespace btElasticPlastic
 {
@@ -53,9 +53,8 @@ public:
 	GreatestShares(const JointModel& model, const Kinematics& k, const btVector3& force, btScalar dt)
 		: m_a(sumOfMobilities(model.bodyA())), m_b(sumOfMobilities(model.bodyB()))
 	{
-		const btScalar spinA = model.bodyA().getAngularVelocity().length2() * k.m_rA.length2(),
-					   spinB = model.bodyB().getAngularVelocity().length2() * k.m_rB.length2(),
-					   impulse2 = force.length2() * dt * dt;
+		const btScalar spinA = spinOf(model.bodyA()).length2() * k.m_rA.length2(),
+					   spinB = spinOf(model.bodyB()).length2() * k.m_rB.length2(), impulse2 = force.length2() * dt * dt;
 		m_across2 = impulse2 * dt * dt * (k.m_rA - k.m_rB).length2();
 		// (a + b)^2 <= 2 (a^2 + b^2)
 		m_along2 = impulse2 * dt * dt * dt * dt * (spinA + spinB) / 8;
@@ -113,8 +112,7 @@ void TensionDamping::addAcross(const JointModel& model, const Kinematics& k, con
 void TensionDamping::addAlong(const JointModel& model, const Kinematics& k, const btVector3& force, btScalar dt)
 {
 	const btRigidBody &A = model.bodyA(), &B = model.bodyB();
-	const btScalar swing =
-		A.getAngularVelocity().cross(k.m_rA).length() + B.getAngularVelocity().cross(k.m_rB).length();
+	const btScalar swing = spinOf(A).cross(k.m_rA).length() + spinOf(B).cross(k.m_rB).length();
 	const btScalar factor = dt * dt * dt * force.length() * swing / 4;
 	if (!(factor > 0))
 		return;
