@@ -101,6 +101,8 @@ MUTATIONS = [
     Mutation("driven islands begin inner steps for elastic motion", "InnerSteps.cpp", "(isElastic && isDriven(task.m_island))", "(isElastic && isDriven(task.m_island) && level > 0)", "Drives.AMotor*"),
     Mutation("soft contacts are pushed apart where they are deep", "Recovery.cpp", "contact.m_rhs += contact.m_rhsPenetration;\n		contact.m_rhsPenetration = 0;", "", "Contacts.WhatStandsDeep*"),
     Mutation("what slides has its impulses along two lines", "ContactPlace.h", "point.m_positionWorldOnA = middle +", "point.m_positionWorldOnA = onA +", "Momentum.OfTurn*"),
+    Mutation("each impulse is a blow", "InnerSteps.cpp", "registry, !registry.isStepControlled());", "registry, false);", "SteadyPushes.*"),
+    Mutation("a load of impulses is forgotten", "SteadyPushes.cpp", "<= GROWTH * btFabs(last[k])", "<= 0 * btFabs(last[k])", "SteadyPushes.*"),
     Mutation("velocities do not follow a changed substep", "InnerSteps.cpp", "isChanged = isControlled && JoinedShift", "isChanged = false && JoinedShift", "StepControl.WhatRings*"),
     Mutation("bending is damped as the axial spring", "FibreStep.cpp", "if (motion.m_isInner && !m_model.anyBearsPressureOnly())", "if (false)", "InnerSteps.BendWhat*"),
     Mutation("what opens is damped as bending", "FibreStep.cpp", "if (motion.m_isInner && !m_model.anyBearsPressureOnly())", "if (motion.m_isInner)",

@@ -184,14 +184,14 @@ TEST(SceneState, HasANewVersionForANewLayout)
 	nlohmann::json packed = packState(s);
 	// The numbers of a joint and of a fibre are many.
 	nlohmann::json& joint = packed["cut"][0][1];
-	EXPECT_EQ(110u, joint["numbers"].size());
+	EXPECT_EQ(123u, joint["numbers"].size());
 	EXPECT_EQ(8u, joint["fibres"].size());
 	joint["numbers"] = joint["fibres"] = nlohmann::json::array();
 	packed.erase("precision");
 	EXPECT_EQ(
 		R"({"broken_bullets_own":[1],"calm":0.0,"changes":[[0,0]],"cut":[[0,{"fibres":[],"numbers":[]}]],"ending":0,)"
 		R"("energies":[0.0,0.0,0.0,0.0,0.0,0.0,0.0,true],"events":[[0.0,0,0,0,0.0,0.0,0.0,0.0,-1]],"last_substep":1.0,"played":[true],)"
-		R"("time":0.0,"vehicles":[[[[0.0,0.0,0.0,0.0,0]],0.0,0,0.0,0.0,0.0]],"version":6,"world":{"bytes":[],"subtype":null}})",
+		R"("time":0.0,"vehicles":[[[[0.0,0.0,0.0,0.0,0]],0.0,0,0.0,0.0,0.0]],"version":7,"world":{"bytes":[],"subtype":null}})",
 		packed.dump());
 }
 

@@ -11,7 +11,7 @@ namespace
 {
 using nlohmann::json;
 
-const int STATE_VERSION = 6;
+const int STATE_VERSION = 7;
 const char* const PRECISION = sizeof(btScalar) == sizeof(double) ? "double" : "float";
 
 /// What is read or written of a joint's state: one list for both directions.
@@ -24,9 +24,9 @@ void forEachNumber(State& s, Act act)
 		act(s.m_plasticMiddle[i]);
 	}
 	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-		for (auto* list :
-			 {&s.m_plastic, &s.m_force, &s.m_forceRate, &s.m_withheld, &s.m_applied, &s.m_appliedBefore, &s.m_branch[0],
-			  &s.m_branch[1], &s.m_branch[2], &s.m_plasticPath, &s.m_watched, &s.m_load[0], &s.m_load[1]})
+		for (auto* list : {&s.m_plastic, &s.m_force, &s.m_forceRate, &s.m_withheld, &s.m_applied, &s.m_appliedBefore,
+						   &s.m_branch[0], &s.m_branch[1], &s.m_branch[2], &s.m_plasticPath, &s.m_watched, &s.m_load[0],
+						   &s.m_load[1], &s.m_given[0], &s.m_given[1]})
 			act((*list)[i]);
 	for (auto& initial : s.m_initial)
 		act(initial);
@@ -39,6 +39,7 @@ void forEachNumber(State& s, Act act)
 	act(s.m_placeEnergy);
 	act(s.m_plasticEnergy);
 	act(s.m_dampingEnergy);
+	act(s.m_isGiven);
 	act(s.m_solvedExactly);
 	act(s.m_yielded);
 	act(s.m_broken);

@@ -31,6 +31,9 @@ struct btElasticPlasticState
 		{};  ///< of springs and branches in the last step, their change over its length [N/s], [N m/s]
 	btScalar m_load[2][6] =
 		{};  ///< on bodies A and B in the last step, beside their weight: force [N], torque [N m], world axes
+	btScalar m_given[2][6] =
+		{};  ///< what others have added to the velocities of bodies A and B before the last step, over its length [m/s^2], [rad/s^2], world axes
+	bool m_isGiven = false;            ///< whether that is anything
 	btScalar m_withheld[6] = {};       ///< drift that shorter steps still have to take back [m], [rad]
 	btScalar m_withheldStep = 0;       ///< length of the step that left it [s]
 	btScalar m_spin[2] = {};           ///< how fast the last step has turned bodies A and B at most [rad/s]

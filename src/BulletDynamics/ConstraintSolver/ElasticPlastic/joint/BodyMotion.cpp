@@ -40,5 +40,8 @@ void BodyMotion::apply(btCollisionWorld& world) const
 	}
 	m_body->setLinearVelocity(endOf(m_body->getLinearVelocity(), m_meanLinear, m_linear));
 	m_body->setAngularVelocity(endOf(m_body->getAngularVelocity(), m_meanAngular, m_angular));
+	// What others have given since is known by these, see SteadyPushes.
+	m_body->setInterpolationLinearVelocity(m_linear);
+	m_body->setInterpolationAngularVelocity(m_angular);
 }
 }  // namespace btElasticPlastic

@@ -171,6 +171,7 @@ btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 		{"the state's applied force of the step before", state.m_appliedBefore, BT_EP_DOF_COUNT},
 		{"the state's damping force", state.m_branch[0], int(BT_EP_DOF_COUNT) * int(btElasticPlasticState::BRANCHES)},
 		{"the state's load of a body", state.m_load[0], 2 * int(BT_EP_DOF_COUNT)},
+		{"the state's given acceleration of a body", state.m_given[0], 2 * int(BT_EP_DOF_COUNT)},
 		{"the state's plastic deformation", state.m_plastic, BT_EP_DOF_COUNT},
 		{"the state's plastic path", state.m_plasticPath, BT_EP_DOF_COUNT},
 		{"the state's withheld deformation", state.m_withheld, BT_EP_DOF_COUNT},

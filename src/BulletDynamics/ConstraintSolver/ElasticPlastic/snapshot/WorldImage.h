@@ -86,6 +86,9 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	archive(isLoaded);
 	for (int side = 0; isLoaded && side < 2; ++side)
 		transfer(archive, state.m_load[side]);
+	archive(state.m_isGiven);
+	for (int side = 0; state.m_isGiven && side < 2; ++side)
+		transfer(archive, state.m_given[side]);
 	transfer(archive, state.m_withheld);
 	archive(state.m_withheldStep);
 	transfer(archive, state.m_spin);

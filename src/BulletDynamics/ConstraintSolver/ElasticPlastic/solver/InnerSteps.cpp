@@ -278,7 +278,7 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 void InnerSteps::take(Task& task, const JointRegistry& registry)
 {
 	const SolverGroup& island = task.m_island;
-	m_state.begin(island, task.m_info.m_timeStep, registry);
+	m_state.begin(island, task.m_info.m_timeStep, registry, !registry.isStepControlled());
 	task.m_rhythm = rhythmOf(island);
 	task.m_blow = task.m_rhythm.m_quiet > 0 ? m_state.getEnergyOfBlow() : 0;
 	if (m_state.hasSpringContact())
@@ -295,7 +295,8 @@ void InnerSteps::take(Task& task, const JointRegistry& registry)
 		task.m_factorsAtBegin = task.m_statistics.m_factorisations;
 		task.m_workKept = 0;
 		// The first whole step after inner ones is the only one of its kind: velocities come to belong to another time.
-		const bool isWhole = level == 0 && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
+		const bool isWhole =
+			level == 0 && !m_state.hasPushes() && !JoinedShift::isWanted(island, task.m_info.m_timeStep);
 		const Attempt attempt = isWhole ? solveWhole(task) : solveInner(task, level);
 		const bool isAgain =
 			!attempt.m_isLeft && attempt.m_isTaut && timesForeseen < MOST_FORESEEN && hasWorkForAnother(task);

@@ -56,11 +56,12 @@ void setImpulses(btManifoldPoint& point, const btScalar* impulses, btScalar shar
 
 // ---- the beginning
 
-void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegistry& registry)
+void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegistry& registry, bool findsPushes)
 {
 	m_dt = dt;
 	m_kinematic.resizeNoInitialize(0);
-	addBodies(island);
+	m_pushes.clear(dt);
+	addBodies(island, findsPushes);
 	m_joints.resize(0);
 	m_enabled.resize(0);
 	m_isHeld = false;
@@ -71,16 +72,25 @@ void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegis
 		if (!constraint.isEnabled())
 			continue;
 		m_enabled.push_back(&constraint);
-		for (btRigidBody* body : {&constraint.getRigidBodyA(), &constraint.getRigidBodyB()})
+		btRigidBody* const bodies[2] = {&constraint.getRigidBodyA(), &constraint.getRigidBodyB()};
+		int given[2] = {-1, -1};
+		for (int side = 0; side < 2; ++side)
 		{
+			btRigidBody* const body = bodies[side];
 			addKinematic(*body);
 			const int index = body->isStaticOrKinematicObject() ? -1 : body->getCompanionId();
 			if (index >= 0 && index < m_bodies.size() && m_bodies[index].m_body == body)
+			{
 				m_bodies[index].m_isJoined = true;
+				given[side] = m_bodies[index].m_given;
+			}
 			else
 				m_isHeld = true;
 		}
+		if (island.m_joints[i])
+			m_pushes.addJoint(island.m_joints[i]->m_model.m_state, given);
 	}
+	beginPushes();
 	addPoints(island);
 	findTouched();
 	// After inner steps contact points have the impulses of all of them, but the body may have left after the first.
@@ -104,7 +114,7 @@ void IslandState::saveJoints(const SolverGroup& island)
 }
 
 /// The index of a body here is kept in its companion id, which Bullet does not use between two solutions.
-void IslandState::addBodies(const SolverGroup& island)
+void IslandState::addBodies(const SolverGroup& island, bool findsPushes)
 {
 	m_bodies.resizeNoInitialize(0);
 	m_bodies.reserve(island.m_numBodies);
@@ -118,7 +128,22 @@ void IslandState::addBodies(const SolverGroup& island)
 		m_bodies.push_back({body, body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
 							btElasticPlasticInnerMotion(), body->getWorldTransform(), body->getLinearVelocity(),
 							body->getAngularVelocity(), body->getLinearVelocity(), body->getAngularVelocity(), 0, 0, 0,
-							false, false});
+							findsPushes ? m_pushes.addBody(*body) : -1, false, false});
+	}
+}
+
+void IslandState::beginPushes()
+{
+	m_hasPushes = m_pushes.isAny();
+	if (!m_hasPushes)
+		return;
+	m_pushes.begin();
+	for (int i = 0; i < m_bodies.size(); ++i)
+	{
+		Body& body = m_bodies[i];
+		body.m_linear = body.m_body->getLinearVelocity();
+		body.m_angular = body.m_body->getAngularVelocity();
+		body.m_inner.m_shift = m_pushes.getEnergy(body.m_given);
 	}
 }
 
@@ -168,6 +193,7 @@ void IslandState::restore()
 		Body& body = m_bodies[i];
 		put(*body.m_body, body.m_start, body.m_linear, body.m_angular);
 		body.m_inner = btElasticPlasticInnerMotion();
+		body.m_inner.m_shift = m_pushes.getEnergy(body.m_given);
 		body.m_ahead = 0;
 	}
 	for (int i = 0; i < m_points.size(); ++i)
@@ -556,6 +582,8 @@ void IslandState::finish(int steps, std::vector<BodyMotion>& motions)
 		motions.push_back(motion);
 	}
 	leavePoints();
+	if (m_hasPushes)
+		m_pushes.end();
 	releaseKinematicBodies();
 }
 

@@ -8,6 +8,7 @@
 #include "../joint/BodyMotion.h"
 #include "Islands.h"
 #include "JoinedShift.h"
+#include "SteadyPushes.h"
 #include "LinearMath/btAlignedObjectArray.h"
 
 class btManifoldPoint;
@@ -23,8 +24,11 @@ class IslandState
 {
 public:
 	/// Notes the beginning of a step of dt [s], of all but the joints' state, which evaluating a joint does not change.
-	/// \param registry  of the joints
-	void begin(const SolverGroup& island, btScalar dt, const JointRegistry& registry);
+	/// \param registry      of the joints
+	/// \param findsPushes   whether steady pushes on bodies act in it as loads, from here until finish()
+	void begin(const SolverGroup& island, btScalar dt, const JointRegistry& registry, bool findsPushes);
+
+	bool hasPushes() const { return m_hasPushes; }
 
 	/// Notes the joints' state, too, before the first inner step changes it.
 	void saveJoints(const SolverGroup& island);
@@ -108,6 +112,7 @@ private:
 		double m_notedShift;                     ///< of m_inner
 		btScalar m_ahead,
 			m_notedAhead;   ///< the time by which its velocity belongs to a later one than before the step [s]
+		int m_given;        ///< of m_pushes
 		bool m_isJoined;    ///< has constraints
 		bool m_wasTouched;  ///< by a contact, when the step began
 	};
@@ -134,7 +139,8 @@ private:
 		double m_notedWork;  ///< see note()
 	};
 
-	void addBodies(const SolverGroup& island);
+	void addBodies(const SolverGroup& island, bool findsPushes);
+	void beginPushes();
 	void addPoints(const SolverGroup& island);
 	void addKinematic(btRigidBody& body);
 	void bookWork(const Point& point);
@@ -156,6 +162,8 @@ private:
 	btAlignedObjectArray<btTypedConstraint*> m_enabled;  ///< constraints
 	btAlignedObjectArray<bool> m_isEnabled;              ///< of these, when the inner step began
 	JoinedShift m_joinedShift;
+	SteadyPushes m_pushes;
+	bool m_hasPushes = false;
 	bool m_hasSpringContact = false;
 	bool m_isHeld = false;                   ///< by a constraint with what does not move freely
 	btAlignedObjectArray<bool> m_isTouched;  ///< by body, in the last inner step
