@@ -544,7 +544,7 @@ struct StretchedSpring
 	void begin(int steps)
 	{
 		ASSERT_EQ(6, m_step->prepare());
-		ASSERT_TRUE(m_step->begin(STEP, btScalar(0.2), btScalar(1) / btScalar(steps), m_rows));
+		ASSERT_TRUE(m_step->begin(STEP, btScalar(0.2), {btScalar(1) / btScalar(steps), steps >= 32}, m_rows));
 		while (m_rows.m_row[m_axial].m_dof != BT_EP_AXIAL)
 			++m_axial;
 	}
@@ -633,7 +633,7 @@ TEST(JointStep, ASearchThatIsCutLeavesNumbers)
 		btElasticPlastic::JointStep& step = btElasticPlastic::JointWorks::from(&joint->getConstraint())->m_step;
 		btElasticPlastic::JointRows rows;
 		ASSERT_EQ(6, step.prepare());
-		ASSERT_TRUE(step.begin(btScalar(1) / 60, btScalar(0.2), 1, rows));
+		ASSERT_TRUE(step.begin(btScalar(1) / 60, btScalar(0.2), {1, false}, rows));
 		double impulses[BT_EP_DOF_COUNT];
 		for (double& i : impulses)
 			i = impulse;

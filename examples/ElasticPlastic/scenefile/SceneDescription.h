@@ -29,6 +29,7 @@ struct SceneDescription
 		int substeps = 1;
 		double error = 0;  ///< allowed by the step control; 0: substeps as given
 		double innerError = btElasticPlasticSolverSettings().m_innerError;
+		bool keepsSwings = false;
 		Solver solver = Solver::Direct;
 		int iterations = 10;
 		JointKind joints = kinds::Ep2;

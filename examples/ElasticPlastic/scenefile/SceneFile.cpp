@@ -37,6 +37,8 @@ void worldFields(Fields& f, SceneDescription::WorldSettings& w)
 	f.number("error", w.error, {0, 1}, "", "allowed in how much flows, by which substeps are chosen; 0: as given");
 	f.number("inner_error", w.innerError, {0, 1}, "",
 			 "at which the direct solver takes a blow through inner steps; 0: it takes none");
+	f.flag("keeps_swings", w.keepsSwings,
+		   "the direct solver does, of what nothing touches: for loads that come on at once, and bases that shake");
 	f.named("solver", w.solver, solvers(), "how it is solved");
 	f.whole("iterations", w.iterations, 1, 10000, "of solvers that iterate, and of swept contacts");
 	f.named("joints", w.joints, jointKinds(), "what stands for elastic-plastic joints");

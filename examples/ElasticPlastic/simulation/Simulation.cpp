@@ -99,6 +99,7 @@ Simulation::Simulation(const SceneDescription& scene)
 		btElasticPlasticSolverSettings settings = solver.getSettings();
 		settings.m_contacts = w.contacts;
 		settings.m_innerError = w.innerError;
+		settings.m_keepsSwings = w.keepsSwings;
 		settings.m_numThreads = w.threads;
 		solver.setSettings(settings);
 	}

@@ -84,6 +84,13 @@ struct btElasticPlasticSolverSettings
 	/// the next step has fewer then.
 	long long m_maxInnerWork = 2000000;
 
+	/// Whether structures keep their swings: a load that comes on at once, or a base that shakes, makes a structure flow by what it swings beyond its equilibrium. By default steps of the
+	/// world damp a swing of 12 of them by a quarter of the critical damping, and of 50 of them by 6 %, so that damage is missing, up to all of it. With this, what steps do not
+	/// resolve is damped by the mode's frequency, with inner steps or without, in islands that nothing touches, whose joints all have a material that damps and are not taut,
+	/// and on which no springs or motors of Bullet's act; not under a step control. Structures then swing until the material's damping has brought them to rest, and single steps tell
+	/// up to half a step's power more or less elastic energy than there is (docs/solver.md).
+	bool m_keepsSwings = false;
+
 	/// The factor that a large island kept from the last step is used as long as so few iterations of conjugate gradients with it
 	/// are enough, >= 0; 0: never.
 	int m_maxIterations = 8;

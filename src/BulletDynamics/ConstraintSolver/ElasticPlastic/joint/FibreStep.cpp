@@ -388,7 +388,7 @@ btScalar FibreStep::squareOfFrequency(const Motion& motion, btScalar diagonal, c
 /// Not where a fibre opens by whatever it moves, or its strength changes in the step.
 bool FibreStep::carriesWaves(const Motion& motion) const
 {
-	return motion.m_isOfBlow && m_model.m_areSteady && !m_model.anyBearsPressureOnly();
+	return motion.m_keepsSwings && m_model.m_areSteady && !m_model.anyBearsPressureOnly();
 }
 
 /// Of fibres only what they add up to is known of the last two steps' mean forces. That differs from the present one as in an elastic section: a fibre that has flowed

@@ -56,7 +56,7 @@ public:
 		btScalar m_turn[2];                ///< A of the two rows of bending
 		btScalar m_lastStep;               ///< 0: none [s]
 		bool m_isInner;                    ///< the step is shorter than the world's
-		bool m_isOfBlow;                   ///< and one of many
+		bool m_keepsSwings;                ///< see StepKind
 		bool m_isEven;                     ///< the section's past is as of steps of this length
 	};
 

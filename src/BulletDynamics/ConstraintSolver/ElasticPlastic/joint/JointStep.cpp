@@ -16,8 +16,6 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Steps of this share of the world's step and less are those of a blow. With a sixteenth, plates that ring after one would take twice the steps.
-const btScalar SHARE_OF_A_BLOW = btScalar(1) / 32;
 /// Below this square of frequency times step a row is by row in them, too: that damps its own swing by 0.4 % of the critical.
 const btScalar WELL_RESOLVED = btScalar(0.1);
 /// What a row has done before a blow does not count below this share of what it does in the first step.
@@ -384,7 +382,7 @@ void JointStep::beginFibres(JointRows& rows)
 	makeFibres(beginShear(diagonal), diagonal, rows);
 }
 
-bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows)
+bool JointStep::begin(btScalar dt, btScalar erp, StepKind kind, JointRows& rows)
 {
 	if (m_numRows == 0 || !evaluate(dt))
 		return false;
@@ -393,12 +391,18 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 	FibreStep::Motion motion = {};
 	if (m_usesFibres)
 		motion = beginShear(diagonal);
-	motion.m_isInner = share < 1;
-	motion.m_isOfBlow = share <= SHARE_OF_A_BLOW;
+	if (m_model.m_isPaper)
+		rows.m_damping = TensionDamping();
+	else
+		rows.m_damping = TensionDamping::of(m_model, k, m_isTensionKnown ? m_tension : lastForce(), dt);
+	m_tensionDamping = rows.m_damping.getSum();
+	motion.m_isInner = kind.m_share < 1;
+	// In whole steps waves may grow in what is taut.
+	motion.m_keepsSwings = kind.m_keepsSwings && (motion.m_isInner || m_tensionDamping == 0);
 	rows.m_numRows = getNumPlainRows();
 	rows.m_numFibres = 0;
 	rows.m_coupledShear[0] = rows.m_coupledShear[1] = -1;
-	const bool isOfBlow = motion.m_isOfBlow, hasOtherPast = isOfBlow && m_model.m_state.m_lastStep != dt;
+	const bool hasOtherPast = motion.m_keepsSwings && m_model.m_state.m_lastStep != dt;
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		JointRows::Row& row = rows.m_row[r];
@@ -406,13 +410,13 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		const btVector3& axis = k.m_axis[row.m_dof % 3];
 		row.m_diagonal = row.m_dof < 3 ? diagonal.along(k.armA(row.m_dof).cross(axis), k.armB(row.m_dof).cross(axis))
 									   : diagonal.about(axis);
-		m_row[r].m_isOfWaves = isOfBlow && carriesWaves(r, row.m_diagonal);
+		m_row[r].m_isOfWaves = motion.m_keepsSwings && carriesWaves(r, row.m_diagonal);
 		m_row[r].m_isAtRest = hasOtherPast && isAtRest(r);
 		row.m_bound = m_lastBound[row.m_dof];
 		row.m_partner = -1;
 		row.m_coupling = 0;
 	}
-	m_areAlike = !isOfBlow && areAlike();
+	m_areAlike = !motion.m_keepsSwings && areAlike();
 	if (m_areAlike)
 		makeRowsAlike(erp, rows);
 	else
@@ -423,11 +427,6 @@ bool JointStep::begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows
 		makeFibres(motion, diagonal, rows);
 		takeScheme();
 	}
-	if (m_model.m_isPaper)
-		rows.m_damping = TensionDamping();
-	else
-		rows.m_damping = TensionDamping::of(m_model, k, m_isTensionKnown ? m_tension : lastForce(), dt);
-	m_tensionDamping = rows.m_damping.getSum();
 	return true;
 }
 

@@ -11,6 +11,7 @@
 #include "MaterialDamping.h"
 #include "PaperLaw.h"
 #include "SpringLanes.h"
+#include "StepKind.h"
 
 namespace btElasticPlastic
 {
@@ -35,9 +36,8 @@ public:
 
 	/// All that a solver needs: evaluate(), and the rows with their own diagonals.
 	/// \param erp    Bullet's error reduction, for rigid-plastic rows
-	/// \param share  of the world's step: 1, or less of an inner one. In short ones, as a blow takes them, rows that these do not resolve well and fibres are damped by mode:
-	///               by row, the waves of the blow would go with them, and the damage that these do.
-	bool begin(btScalar dt, btScalar erp, btScalar share, JointRows& rows);
+	/// \param kind   of step
+	bool begin(btScalar dt, btScalar erp, StepKind kind, JointRows& rows);
 
 	/// For a solver that makes rows one by one, after evaluate() and before makeRow(): makes the fibres of a joint that uses them, without
 	/// what couples them with shears.

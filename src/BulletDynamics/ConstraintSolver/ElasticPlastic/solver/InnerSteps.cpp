@@ -37,6 +37,8 @@ const int MOST_SPARE = 15;
 const double CALM_INNER_SHARE = 1. / 8;
 /// Below this share of the error a step leaves next to nothing open, and the next one may have fewer inner steps at once.
 const double NO_INNER_SHARE = 1. / 1000;
+/// Inner steps of this share of the world's step and less are those of a blow. With a sixteenth, plates that ring after one would take twice the steps.
+const btScalar SHARE_OF_A_BLOW = btScalar(1) / 32;
 /// There has to be the work for 1 << this many inner steps, or none is tried: fewer tell little more of a blow than the whole step, and take several times as long.
 const int LEAST_LEVEL = 3;
 /// The least work of an inner step by joint, in the unit of btElasticPlasticStatistics::m_work: what no island of so many joints can do
@@ -230,6 +232,12 @@ long long countPoints(const SolverGroup& island)
 	return points;
 }
 
+/// Whether an island may swing in whole steps as it does: it comes to rest by its material, and nothing else is there that could give energy to what steps do not resolve.
+bool swings(const SolverGroup& island)
+{
+	return countPoints(island) == 0 && damps(island) && !isDriven(island) && !hasRope(island);
+}
+
 /// Whether the settings ask for inner steps, and there is the work for the fewest of them.
 bool mayBeTaken(int numConstraints, long long points, const btElasticPlasticSolverSettings& settings)
 {
@@ -258,17 +266,19 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	// Whether there may be inner steps or not: ropes are told when tension comes on and when the step changes, and velocities of all follow a step control.
 	const bool isLookedAt = hasRoom || (isStep && mayGoBack(settings) && (hasRope(island) || isStepControlled(island)));
 	JointRegistry* const registry = isLookedAt ? beginJoints(island) : nullptr;
+	const bool keepsSwings = settings.m_keepsSwings && isStep && !isStepControlled(island) && swings(island);
 	// A step control chooses the steps' length itself.
 	const bool isControlled = registry && registry->isStepControlled(), mayTake = hasRoom && registry && !isControlled;
 	task.m_isResolved = isControlled && registry->isStepResolved();
 	const bool isChanged = isControlled && JoinedShift::isWanted(island, info.m_timeStep);
 	if (!registry || !(mayTake || isChanged || hasRope(island)))
 	{
-		solution.solveStep(info, 1, settings.m_maxWork);
+		solution.solveStep(info, {1, keepsSwings}, settings.m_maxWork);
 		return;
 	}
 	if (!mayTake)
 		task.m_maxLevel = 0;
+	task.m_keepsSwings = keepsSwings;
 	m_motions.clear();
 	take(task, *registry);
 	if (m_motions.size() > 0)
@@ -338,7 +348,7 @@ int InnerSteps::beginLevel(Task& task)
 InnerSteps::Attempt InnerSteps::solveWhole(Task& task)
 {
 	++task.m_numSolutions;
-	task.m_solution.solveStep(task.m_info, 1, task.m_settings.m_maxWork);
+	task.m_solution.solveStep(task.m_info, {1, task.m_keepsSwings}, task.m_settings.m_maxWork);
 	const double dt = task.m_info.m_timeStep;
 	Attempt attempt = {};
 	const OpenShare left = measure(task.m_island, dt, dt, attempt.m_flows, &attempt.m_isTaut);
@@ -527,7 +537,8 @@ void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead)
 	if (share < 1)
 		++task.m_statistics.m_innerSteps;
 	const bool isBounded = task.m_settings.m_maxWork > 0;
-	task.m_solution.solveStep(info, share, isBounded ? btMax(task.getWorkLeft() / ahead, 1ll) : 0);
+	const bool keepsSwings = task.m_keepsSwings || share <= SHARE_OF_A_BLOW;
+	task.m_solution.solveStep(info, {share, keepsSwings}, isBounded ? btMax(task.getWorkLeft() / ahead, 1ll) : 0);
 }
 
 void InnerSteps::Run::add(const OpenShare& share, double error)

@@ -7,6 +7,7 @@
 #include "../../btElasticPlasticSolverSettings.h"
 #include "../../btElasticPlasticStatistics.h"
 #include "../joint/OpenShare.h"
+#include "../joint/StepKind.h"
 #include "IslandState.h"
 #include "StepParameters.h"
 
@@ -31,9 +32,8 @@ public:
 	class Solution
 	{
 	public:
-		/// \param share    of the world's step
 		/// \param maxWork  of this solution, as btElasticPlasticSolverSettings::m_maxWork
-		virtual void solveStep(const btContactSolverInfo& info, btScalar share, long long maxWork) = 0;
+		virtual void solveStep(const btContactSolverInfo& info, StepKind kind, long long maxWork) = 0;
 
 	protected:
 		~Solution() {}
@@ -63,9 +63,10 @@ private:
 		Solution& m_solution;
 		long long m_workBefore;
 		int m_maxLevel;
-		InnerRhythm m_rhythm = {};  ///< before the step
-		bool m_isResolved = false;  ///< see JointRegistry::setStepControlled()
-		double m_blow = 0;          ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
+		InnerRhythm m_rhythm = {};   ///< before the step
+		bool m_isResolved = false;   ///< see JointRegistry::setStepControlled()
+		bool m_keepsSwings = false;  ///< whether its whole steps keep swings, see StepKind
+		double m_blow = 0;           ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
 		// Of the present attempt:
 		int m_numSolutions = 0;
 		long long m_workAtBegin = 0, m_factorsAtBegin = 0;

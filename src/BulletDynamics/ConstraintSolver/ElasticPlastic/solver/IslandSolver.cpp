@@ -97,12 +97,12 @@ void IslandSolver::solve(const SolverGroup& island, const btContactSolverInfo& i
 		m_inner.solve(island, info, settings, m_statistics, *this);
 	}
 	else
-		solveStep(info, 1, 0);
+		solveStep(info, {1, false}, 0);
 }
 
-void IslandSolver::solveStep(const btContactSolverInfo& info, btScalar share, long long maxWork)
+void IslandSolver::solveStep(const btContactSolverInfo& info, StepKind kind, long long maxWork)
 {
-	m_share = share;
+	m_kind = kind;
 	m_direct.getSystem().setMaxWork(maxWork);
 	solveGroup(m_island.m_bodies, m_island.m_numBodies, m_island.m_manifolds, m_island.m_numManifolds,
 			   m_island.m_constraints, m_island.m_numConstraints, info, m_debugDrawer, m_dispatcher);
@@ -122,7 +122,7 @@ bool IslandSolver::sweepsContacts(const SolverGroup& island) const
 
 void IslandSolver::convertJoints(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info)
 {
-	m_direct.begin(m_sweepsContacts, double(m_share));
+	m_direct.begin(m_sweepsContacts, double(m_kind.m_share));
 	m_iterative.begin();
 	if (m_settings.m_form == BT_EP_DIRECT)
 		convertForDirect(constraints, numConstraints, info);
@@ -164,7 +164,7 @@ void IslandSolver::convertForDirect(btTypedConstraint** constraints, int numCons
 
 void IslandSolver::addToDirect(JointWorks& joint, const btContactSolverInfo& info)
 {
-	if (!joint.m_step.begin(info.m_timeStep, info.m_erp, m_share, m_rows))
+	if (!joint.m_step.begin(info.m_timeStep, info.m_erp, m_kind, m_rows))
 		return;
 	const int solverBodies[2] = {getOrInitSolverBody(joint.m_model.bodyA(), info.m_timeStep),
 								 getOrInitSolverBody(joint.m_model.bodyB(), info.m_timeStep)};

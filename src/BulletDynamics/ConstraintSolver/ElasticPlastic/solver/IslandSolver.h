@@ -53,7 +53,7 @@ protected:
 private:
 	SolverPools pools();
 	bool sweepsContacts(const SolverGroup& island) const;
-	void solveStep(const btContactSolverInfo& info, btScalar share, long long maxWork) override;
+	void solveStep(const btContactSolverInfo& info, StepKind kind, long long maxWork) override;
 	void convertForDirect(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 	void convertForIterative(btTypedConstraint** constraints, int numConstraints, const btContactSolverInfo& info);
 	void addToDirect(JointWorks& joint, const btContactSolverInfo& info);
@@ -68,7 +68,7 @@ private:
 	SolverGroup m_island;                   ///< at work
 	btIDebugDraw* m_debugDrawer = nullptr;  ///< of the caller
 	btDispatcher* m_dispatcher = nullptr;
-	btScalar m_share = 1;                               ///< of the world's step that is being solved
+	StepKind m_kind = {1, false};                       ///< of the step that is being solved
 	bool m_sweepsContacts = false;                      ///< of the island at work
 	btAlignedObjectArray<btTypedConstraint*> m_others;  ///< the island's constraints that have rows in Bullet's pool
 	btAlignedObjectArray<JointWorks*> m_otherJoints;  ///< the works of m_others, null where one is not elastic-plastic
