@@ -101,6 +101,7 @@ MUTATIONS = [
     Mutation("driven islands begin inner steps for elastic motion", "InnerSteps.cpp", "(isElastic && isDriven(task.m_island))", "(isElastic && isDriven(task.m_island) && level > 0)", "Drives.AMotor*"),
     Mutation("soft contacts are pushed apart where they are deep", "Recovery.cpp", "contact.m_rhs += contact.m_rhsPenetration;\n		contact.m_rhsPenetration = 0;", "", "Contacts.WhatStandsDeep*"),
     Mutation("what slides has its impulses along two lines", "ContactPlace.h", "point.m_positionWorldOnA = middle +", "point.m_positionWorldOnA = onA +", "Momentum.OfTurn*"),
+    Mutation("limits are pushed back through a blow", "InnerSteps.cpp", "info.m_erp *= share * share;", "info.m_erp *= share;", "Drives.AStop*"),
     Mutation("swings are not kept", "InnerSteps.cpp", "task.m_keepsSwings || share <= SHARE_OF_A_BLOW", "share <= SHARE_OF_A_BLOW", "Swings.*"),
     Mutation("swings are kept under contacts", "InnerSteps.cpp", "return countPoints(island) == 0 && damps(island)", "return damps(island)", "Swings.*"),
     Mutation("each impulse is a blow", "InnerSteps.cpp", "registry, !registry.isStepControlled());", "registry, false);", "SteadyPushes.*"),

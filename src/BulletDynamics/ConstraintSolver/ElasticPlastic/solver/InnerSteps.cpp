@@ -531,7 +531,8 @@ void InnerSteps::solveInnerStep(Task& task, btScalar h, int ahead)
 	const btScalar share = h / task.m_info.m_timeStep;
 	btContactSolverInfo info = task.m_info;
 	info.m_timeStep = h;
-	info.m_erp *= share;
+	// As fast as that many times as many steps would reduce errors, what a limit has been passed by in a step of the world would be pushed back against all of a blow.
+	info.m_erp *= share * share;
 	info.m_erp2 *= share;
 	++task.m_numSolutions;
 	if (share < 1)
