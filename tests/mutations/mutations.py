@@ -102,6 +102,7 @@ MUTATIONS = [
     Mutation("soft contacts are pushed apart where they are deep", "Recovery.cpp", "contact.m_rhs += contact.m_rhsPenetration;\n		contact.m_rhsPenetration = 0;", "", "Contacts.WhatStandsDeep*"),
     Mutation("what slides has its impulses along two lines", "ContactPlace.h", "point.m_positionWorldOnA = middle +", "point.m_positionWorldOnA = onA +", "Momentum.OfTurn*"),
     Mutation("limits are pushed back through a blow", "InnerSteps.cpp", "info.m_erp *= share * share;", "info.m_erp *= share;", "Drives.AStop*"),
+    Mutation("a frame time that wavers has no past", "Law.h", "change < btScalar(0.1) ?", "change <= 0 ?", "Swings.*"),
     Mutation("swings are not kept", "InnerSteps.cpp", "task.m_keepsSwings || share <= SHARE_OF_A_BLOW", "share <= SHARE_OF_A_BLOW", "Swings.*"),
     Mutation("swings are kept under contacts", "InnerSteps.cpp", "return countPoints(island) == 0 && damps(island)", "return damps(island)", "Swings.*"),
     Mutation("each impulse is a blow", "InnerSteps.cpp", "registry, !registry.isStepControlled());", "registry, false);", "SteadyPushes.*"),

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticEnergyAudit.h"
 #include "BulletDynamics/Vehicle/btRaycastVehicle.h"
 #include "support/DirectSolver.h"
 #include "support/Precision.h"
@@ -192,6 +193,31 @@ TEST(SteadyPushes, KeepTheBooks)
 		// Of what turns about two axes at once Bullet's gyroscopic torque is told but so well.
 		EXPECT_LT(audit.created(), turns ? byPrecision(1e-9, 1e-4) : byPrecision(1e-12, 1e-4)) << turns;
 	}
+}
+
+TEST(SteadyPushes, AreOfOthersInTheAudit)
+{
+	// It told what they give as loads within the step as the weight's, which there was none of.
+	PushedCantilever cantilever(IMPULSE);
+	cantilever.m_world.bullet().setGravity(btVector3(0, 0, 0));
+	btElasticPlasticEnergyAudit audit(cantilever.m_world.bullet(), cantilever.m_world.action());
+	double way = 0;
+	for (int i = 0; i < 60; ++i)
+	{
+		cantilever.setPush(std::min(1., i / 30.));
+		cantilever.m_thruster.m_torque = btVector3(0, 0, 0);
+		const btVector3 before = cantilever.m_tip->getCenterOfMassPosition();
+		cantilever.m_thruster.push(btScalar(1) / 60);
+		cantilever.m_way = ACTION_AFTER_OURS;
+		cantilever.m_world.bullet().removeAction(&cantilever.m_thruster);
+		audit.begin();
+		cantilever.m_world.step(btScalar(1) / 60);
+		way += double(cantilever.m_thruster.m_force.dot(cantilever.m_tip->getCenterOfMassPosition() - before));
+	}
+	EXPECT_EQ(0, audit.getBalance().m_gravity);
+	EXPECT_GT(way, 5);
+	// The first one is a blow.
+	EXPECT_NEAR(way, audit.getBalance().m_others, 0.05 * way);
 }
 
 TEST(SteadyPushes, AreNoneWhereBulletDampsBodies)

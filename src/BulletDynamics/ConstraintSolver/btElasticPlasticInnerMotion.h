@@ -20,6 +20,9 @@ struct btElasticPlasticInnerMotion
 	/// step before that of its places; a body that falls into inner steps gets the speed that gravity gives it in between, and one that
 	/// is free afterwards gives it back.
 	double m_shift = 0;
+	/// By how much more than others have given to its velocity before the step, what comes in each step alike has given to it as a load within it [J], see
+	/// docs/theory.md#inner-steps: in m_work and m_shift, too.
+	double m_pushes = 0;
 	double m_contacts = 0;  ///< what contacts' normal impulses have given to it [J]
 	double m_friction = 0;  ///< the same of their friction [J]
 	double m_turning = 0;   ///< the same of the time integration of its turn, gyroscopic torques included [J]

@@ -446,8 +446,8 @@ void FibreStep::begin(const btScalar strain[BT_EP_DOF_COUNT], const Motion& moti
 	findBranches();
 	const btScalar a = dt * dt * squareOfFrequency(motion, diagonal, rows);
 	m_areOfWaves = carriesWaves(motion);
-	const MeanForce scheme = m_areOfWaves ? MeanForce::byMode(btScalar(motion.m_isEven ? 1 : 0))
-										  : MeanForce::byRow(a, dt, motion.m_lastStep);
+	const MeanForce scheme =
+		m_areOfWaves ? MeanForce::byMode(motion.m_tau) : MeanForce::byRow(a, dt, motion.m_lastStep);
 	Past past = {};
 	if (m_areOfWaves)
 		past = pastOf(scheme);

@@ -57,7 +57,7 @@ public:
 		btScalar m_lastStep;               ///< 0: none [s]
 		bool m_isInner;                    ///< the step is shorter than the world's
 		bool m_keepsSwings;                ///< see StepKind
-		bool m_isEven;                     ///< the section's past is as of steps of this length
+		btScalar m_tau;                    ///< of the section's past, see MeanForce::tauOfWaves()
 	};
 
 	/// Before all rows of the step are made: what shears and torsion leave of the fibres and of each other.

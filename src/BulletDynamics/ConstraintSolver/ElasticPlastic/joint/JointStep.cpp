@@ -352,15 +352,15 @@ void JointStep::makeFibres(const FibreStep::Motion& motion, const Diagonal& diag
 	m_fibres.begin(k.m_strain, motion, diagonal.along(k.armA(0).cross(axis), k.armB(0).cross(axis)), m_dt, rows);
 }
 
-/// Whether the past of what fibres add up to is as of steps of this length.
-bool JointStep::areFibresEven(bool hasOtherPast)
+/// By how far the past of what fibres add up to is as of steps of this length, see MeanForce::tauOfWaves().
+btScalar JointStep::tauOfFibres(bool hasOtherPast)
 {
 	bool areAtRest = hasOtherPast;
 	for (int r = getNumPlainRows(); r < m_numRows && areAtRest; ++r)
 		areAtRest = isAtRest(r);
 	for (int r = getNumPlainRows(); r < m_numRows; ++r)
 		m_row[r].m_isAtRest = areAtRest;
-	return areAtRest || lastStep() == m_dt;
+	return MeanForce::tauOfWaves(m_dt, areAtRest ? m_dt : lastStep());
 }
 
 /// What fibres add up to, and what is coupled with them, is of their scheme.
@@ -402,7 +402,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, StepKind kind, JointRows& rows)
 	rows.m_numRows = getNumPlainRows();
 	rows.m_numFibres = 0;
 	rows.m_coupledShear[0] = rows.m_coupledShear[1] = -1;
-	const bool hasOtherPast = motion.m_keepsSwings && m_model.m_state.m_lastStep != dt;
+	const bool hasOtherPast = motion.m_keepsSwings && !(MeanForce::tauOfWaves(dt, m_model.m_state.m_lastStep) > 0);
 	for (int r = 0; r < rows.m_numRows; ++r)
 	{
 		JointRows::Row& row = rows.m_row[r];
@@ -423,7 +423,7 @@ bool JointStep::begin(btScalar dt, btScalar erp, StepKind kind, JointRows& rows)
 		makeRows(erp, rows);
 	if (m_usesFibres)
 	{
-		motion.m_isEven = areFibresEven(hasOtherPast);
+		motion.m_tau = tauOfFibres(hasOtherPast);
 		makeFibres(motion, diagonal, rows);
 		takeScheme();
 	}

@@ -265,7 +265,8 @@ private:
 	void mapRows(bool isCut, ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	bool mapAlike(const btScalar velocity1[BT_EP_DOF_COUNT], ReturnMapping mapped[BT_EP_DOF_COUNT]) const;
 	/// Whether the past of a row is as of steps of this length.
-	bool isEven(int r) const { return m_row[r].m_isAtRest || lastStep() == m_dt; }
+	bool isEven(int r) const { return tauOfWaves(r) > 0; }
+	btScalar tauOfWaves(int r) const { return MeanForce::tauOfWaves(m_dt, m_row[r].m_isAtRest ? m_dt : lastStep()); }
 	/// [s]
 	btScalar lastStep() const { return m_isEven ? m_dt : m_model.m_state.m_lastStep; }
 	DofState dofState(int r) const;
@@ -285,7 +286,7 @@ private:
 	btScalar shareUntilBreak(const ReturnMapping mapped[]) const;
 	void takeBackKinematicMotion();
 	FibreStep::Motion beginShear(const Diagonal& diagonal);
-	bool areFibresEven(bool hasOtherPast);
+	btScalar tauOfFibres(bool hasOtherPast);
 	void takeScheme();
 	void makeFibres(const FibreStep::Motion& motion, const Diagonal& diagonal, JointRows& rows);
 	FibreStep::Outcome commitFibres(ReturnMapping mapped[BT_EP_DOF_COUNT]);
@@ -294,7 +295,7 @@ private:
 	MeanForce meanForce(int r, btScalar a) const
 	{
 		if (m_row[r].m_isOfWaves)
-			return MeanForce::byMode(btScalar(isEven(r) ? 1 : 0));
+			return MeanForce::byMode(tauOfWaves(r));
 		const btScalar last = m_row[r].m_isAtRest ? m_dt : lastStep();
 		return m_model.m_isByMode && !m_usesFibres ? MeanForce::byMode(m_dt, last) : MeanForce::byRow(a, m_dt, last);
 	}

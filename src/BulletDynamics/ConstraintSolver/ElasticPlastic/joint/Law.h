@@ -137,6 +137,14 @@ struct MeanForce
 		return byMode(btMax(btScalar(0), 1 - 2 * changeOf(dt, lastStep)));
 	}
 
+	/// tau of the rows that are by mode among others by row: a step of another length is no past of waves, but that of a frame time that wavers a little is.
+	/// \param lastStep  0: none
+	static btScalar tauOfWaves(btScalar dt, btScalar lastStep)
+	{
+		const btScalar change = changeOf(dt, lastStep);
+		return lastStep > 0 && change < btScalar(0.1) ? 1 - 2 * change : btScalar(0);
+	}
+
 	/// \param tau  0: backward Euler, which gives no energy whatever was before
 	static MeanForce byMode(btScalar tau)
 	{

@@ -229,7 +229,7 @@ void transfer(Archive& archive, MotionImage& image)
 	for (btVector3* vector : {&image.m_inner.m_way, &image.m_inner.m_turn, &image.m_inner.m_pushed})
 		transfer(archive, *vector);
 	for (double* energy : {&image.m_inner.m_work, &image.m_inner.m_shift, &image.m_inner.m_contacts,
-						   &image.m_inner.m_friction, &image.m_inner.m_turning})
+						   &image.m_inner.m_friction, &image.m_inner.m_turning, &image.m_inner.m_pushes})
 		archive(*energy);
 	archive(image.m_isTouched);
 }

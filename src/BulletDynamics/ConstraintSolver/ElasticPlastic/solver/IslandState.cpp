@@ -143,7 +143,7 @@ void IslandState::beginPushes()
 		Body& body = m_bodies[i];
 		body.m_linear = body.m_body->getLinearVelocity();
 		body.m_angular = body.m_body->getAngularVelocity();
-		body.m_inner.m_shift = m_pushes.getEnergy(body.m_given);
+		body.m_inner.m_shift = body.m_inner.m_pushes = m_pushes.getEnergy(body.m_given);
 	}
 }
 
@@ -193,7 +193,7 @@ void IslandState::restore()
 		Body& body = m_bodies[i];
 		put(*body.m_body, body.m_start, body.m_linear, body.m_angular);
 		body.m_inner = btElasticPlasticInnerMotion();
-		body.m_inner.m_shift = m_pushes.getEnergy(body.m_given);
+		body.m_inner.m_shift = body.m_inner.m_pushes = m_pushes.getEnergy(body.m_given);
 		body.m_ahead = 0;
 	}
 	for (int i = 0; i < m_points.size(); ++i)
@@ -529,9 +529,9 @@ void IslandState::move(btScalar h)
 		inner.m_pushed += body.getWorldTransform().getOrigin() - before.m_place.getOrigin();
 		inner.m_way += v * h;
 		inner.m_turn += w * h;
-		inner.m_work += 0.5 * double(h) *
-						(double(body.getTotalForce().dot(before.m_velocity + v)) +
-						 double(body.getTotalTorque().dot(before.m_spin + w)));
+		const btVector3 way = (before.m_velocity + v) * (h / 2), turn = (before.m_spin + w) * (h / 2);
+		inner.m_work += double(body.getTotalForce().dot(way)) + double(body.getTotalTorque().dot(turn));
+		inner.m_pushes += m_pushes.getWork(before.m_given, way, turn);
 		btTransform to;
 		body.predictIntegratedTransform(h, to);
 		const btVector3 linear = v, angular = w;

@@ -81,7 +81,7 @@ int SteadyPushes::addBody(btRigidBody& body)
 	if (givenLinear.isZero() && givenAngular.isZero())
 		return -1;
 	const btVector3 none(0, 0, 0);
-	m_bodies.push_back({&body, givenLinear, givenAngular, none, none, none, none, 0});
+	m_bodies.push_back({&body, givenLinear, givenAngular, none, none, none, none, none, none, 0});
 	return m_bodies.size() - 1;
 }
 
@@ -133,8 +133,10 @@ void SteadyPushes::begin()
 		const btVector3 forceBefore = body.getTotalForce(), torqueBefore = body.getTotalTorque();
 		body.applyCentralForce(beforeFactor(given.m_steadyLinear / body.getInvMass(), linearFactor));
 		body.applyTorque(beforeFactor(part.angularMomentum(given.m_steadyAngular), angularFactor));
-		body.setLinearVelocity(v - (body.getTotalForce() - forceBefore) * (body.getInvMass() * m_dt));
-		body.setAngularVelocity(w - body.getInvInertiaTensorWorld() * (body.getTotalTorque() - torqueBefore) * m_dt);
+		given.m_pushForce = body.getTotalForce() - forceBefore;
+		given.m_pushTorque = body.getTotalTorque() - torqueBefore;
+		body.setLinearVelocity(v - given.m_pushForce * (body.getInvMass() * m_dt));
+		body.setAngularVelocity(w - body.getInvInertiaTensorWorld() * given.m_pushTorque * m_dt);
 		const btMatrix3x3& basis = part.m_pose.getBasis();
 		given.m_energy = kineticEnergy(body, basis, body.getLinearVelocity(), body.getAngularVelocity()) -
 						 kineticEnergy(body, basis, v, w);
@@ -150,5 +152,11 @@ void SteadyPushes::end()
 		body.applyCentralForce(m_bodies[i].m_force);
 		body.applyTorque(m_bodies[i].m_torque);
 	}
+}
+
+double SteadyPushes::getWork(int given, const btVector3& way, const btVector3& turn) const
+{
+	return given < 0 ? 0
+					 : double(m_bodies[given].m_pushForce.dot(way)) + double(m_bodies[given].m_pushTorque.dot(turn));
 }
 }  // namespace btElasticPlastic

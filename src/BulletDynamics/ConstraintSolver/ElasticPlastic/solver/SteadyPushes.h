@@ -41,12 +41,16 @@ public:
 	/// What begin() has given to a body's kinetic energy [J].
 	double getEnergy(int given) const { return given < 0 ? 0 : m_bodies[given].m_energy; }
 
+	/// What they do as loads on a body on a way [m] and a turn [rad] [J].
+	double getWork(int given, const btVector3& way, const btVector3& turn) const;
+
 private:
 	struct Body
 	{
 		btRigidBody* m_body;
 		btVector3 m_linear, m_angular;              ///< given, by the step's length [m/s^2], [rad/s^2]
 		btVector3 m_steadyLinear, m_steadyAngular;  ///< of that what was given before the last step, too
+		btVector3 m_pushForce, m_pushTorque;        ///< with which it acts as a load [N], [N m]
 		btVector3 m_force, m_torque;                ///< that others have applied [N], [N m]
 		double m_energy;
 	};
