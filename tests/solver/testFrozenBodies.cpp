@@ -164,4 +164,25 @@ TEST(StaticBodies, StandWhateverVelocityTheyHave)
 			}
 		}
 }
+
+TEST(StaticBodies, LetWhatBouncesOnThemBounceAsOnAnyOther)
+{
+	// What is to bounce in the step is told by how fast it comes, of which a static body's velocity is no part: Bullet's rows know nothing of it.
+	btVector3 ends[3];
+	for (int run = 0; run < 3; ++run)
+	{
+		Row row(Solver::Direct, btVector3(0, btScalar(-9.81), 0));
+		btRigidBody* const slab = row.m_world.body(0, row.m_world.box(btVector3(10, 1, 10)), at(0, -2));
+		slab->setRestitution(btScalar(0.8));
+		for (btRigidBody* body : row.m_bodies)
+			body->setRestitution(btScalar(0.8));
+		slab->setLinearVelocity(btVector3(0, btScalar(run == 0 ? 0 : run == 1 ? -20 : 20), 0));
+		for (int i = 0; i < 60; ++i)
+			row.m_world.step(btScalar(1) / 60);
+		EXPECT_GT(row.m_bodies[0]->getCenterOfMassPosition().y(), -1.5);
+		ends[run] = row.m_bodies[0]->getCenterOfMassPosition();
+	}
+	EXPECT_EQ(ends[0], ends[1]);
+	EXPECT_EQ(ends[0], ends[2]);
+}
 }  // namespace testFrozenBodies

@@ -8,7 +8,7 @@
 
 namespace btElasticPlastic
 {
-// How joints see bodies move: a static body stands, whatever velocity it has been given. Bullet never moves it, and its contacts take it as standing too.
+// How joints and contacts see bodies move: a static body stands, whatever velocity it has been given. Bullet never moves it, and its rows of contacts take it as standing, too.
 
 inline bool isStanding(const btRigidBody& body) { return body.isStaticObject() && !body.isKinematicObject(); }
 

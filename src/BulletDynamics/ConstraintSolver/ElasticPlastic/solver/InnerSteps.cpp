@@ -232,7 +232,7 @@ long long countPoints(const SolverGroup& island)
 	return points;
 }
 
-/// Whether an island may swing in whole steps as it does: it comes to rest by its material, and nothing else is there that could give energy to what steps do not resolve.
+/// Whether an island may keep its swings: it comes to rest by its material, and nothing else is there that could give energy to what steps do not resolve.
 bool swings(const SolverGroup& island)
 {
 	return countPoints(island) == 0 && damps(island) && !isDriven(island) && !hasRope(island);

@@ -65,7 +65,7 @@ private:
 		int m_maxLevel;
 		InnerRhythm m_rhythm = {};   ///< before the step
 		bool m_isResolved = false;   ///< see JointRegistry::setStepControlled()
-		bool m_keepsSwings = false;  ///< whether its whole steps keep swings, see StepKind
+		bool m_keepsSwings = false;  ///< whether all its steps do, see StepKind
 		double m_blow = 0;           ///< see IslandState::getEnergyOfBlow(); 0 where nothing rings
 		// Of the present attempt:
 		int m_numSolutions = 0;

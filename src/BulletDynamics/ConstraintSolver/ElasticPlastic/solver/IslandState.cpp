@@ -5,6 +5,7 @@
 
 #include "../joint/BodyEnergy.h"
 #include "../joint/BodyGate.h"
+#include "../joint/JoinedVelocity.h"
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
 #include "ContactFactors.h"
@@ -327,8 +328,8 @@ btScalar IslandState::approachOf(const Point& point)
 	for (int side = 0; side < 2; ++side)
 	{
 		const btRigidBody* const body = btRigidBody::upcast(point.m_objects[side]);
-		velocity[side] = body ? body->getVelocityInLocalPoint(places[side] - body->getWorldTransform().getOrigin())
-							  : btVector3(0, 0, 0);
+		velocity[side] =
+			body ? velocityAt(*body, places[side] - body->getWorldTransform().getOrigin()) : btVector3(0, 0, 0);
 	}
 	return (velocity[1] - velocity[0]).dot(point.m_point->m_normalWorldOnB);
 }
