@@ -105,6 +105,8 @@ MUTATIONS = [
     Mutation("a frame time that wavers has no past", "Law.h", "change < btScalar(0.1) ?", "change <= 0 ?", "Swings.*"),
     Mutation("swings are not kept", "InnerSteps.cpp", "task.m_keepsSwings || share <= SHARE_OF_A_BLOW", "share <= SHARE_OF_A_BLOW", "Swings.*"),
     Mutation("swings are kept under contacts", "InnerSteps.cpp", "return countPoints(island) == 0 && damps(island)", "return damps(island)", "Swings.*"),
+    Mutation("a kinematic body is where it is shown", "KinematicLead.cpp", "const btScalar left = support.m_lead - step;", "const btScalar left = 0 * support.m_lead;", "KinematicBodies.*"),
+    Mutation("a kinematic body's way takes one substep", "KinematicLead.cpp", "? count : btScalar(1);", "? btScalar(1) : btScalar(1);", "KinematicBodies.*"),
     Mutation("each impulse is a blow", "InnerSteps.cpp", "registry, !registry.isStepControlled());", "registry, false);", "SteadyPushes.*"),
     Mutation("a load of impulses is forgotten", "SteadyPushes.cpp", "<= GROWTH * btFabs(last[k])", "<= 0 * btFabs(last[k])", "SteadyPushes.*"),
     Mutation("velocities do not follow a changed substep", "InnerSteps.cpp", "isChanged = isControlled && JoinedShift", "isChanged = false && JoinedShift", "StepControl.WhatRings*"),

@@ -17,7 +17,7 @@ namespace
 struct Header
 {
 	uint32_t m_sign = 0x53504542;  ///< reversed where the order of bytes is
-	uint16_t m_version = 15;
+	uint16_t m_version = 16;
 	uint16_t m_precision = sizeof(btScalar);
 	uint64_t m_checksum = 0;  ///< of what follows
 };

@@ -5,7 +5,7 @@
 #define BT_ELASTIC_PLASTIC_STATE_H
 
 #include "LinearMath/btAlignedObjectArray.h"
-#include "LinearMath/btQuaternion.h"
+#include "LinearMath/btTransform.h"
 #include "btElasticPlasticFibre.h"
 
 /// All that a joint remembers from step to step. Copy it to save, put it back to rewind.
@@ -54,8 +54,19 @@ struct btElasticPlasticState
 	btScalar m_watched[6] = {};      ///< deformation, elastic and plastic, when the load last changed [m], [rad]
 	unsigned m_passedLevels =
 		0;  ///< bit q: quantity q (btElasticPlasticQuantity) has passed its level and not fallen below it
-	unsigned long long m_supportDigest =
-		0;  ///< of the static or kinematic body's transform as it was last; 0: not seen, 1: none
+	/// The static or kinematic body that the joint stands on, as it was when the last substep had ended.
+	struct Support
+	{
+		enum Kind : unsigned char
+		{
+			NOT_SEEN,  ///< not looked for yet
+			NONE,
+			SEEN
+		};
+		unsigned char m_kind = NOT_SEEN;
+		btTransform m_place = btTransform::getIdentity();  ///< [m]
+		btScalar m_lead = 0;  ///< by which a kinematic body is shown ahead of its way, see KinematicLead.h [s]
+	} m_support;
 
 	/// Of a joint with fibres, in the capacity's order. Their forces add up to m_force in the axial direction and in bending.
 	btAlignedObjectArray<btElasticPlasticFibreState> m_fibres;

@@ -17,7 +17,7 @@ namespace btElasticPlastic
 namespace
 {
 const char BLOCK_MARK[8] = {'b', 't', 'E', 'P', 'j', 'o', 'i', 'n'};
-const uint32_t BLOCK_VERSION = 11;
+const uint32_t BLOCK_VERSION = 12;
 
 /// Before what a block holds.
 struct BlockHeader

@@ -10,6 +10,7 @@
 #include "../../btElasticPlasticSolverSettings.h"
 #include "BodyGate.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "KinematicLead.h"
 #include "MaterialDamping.h"
 
 namespace btElasticPlastic
@@ -33,9 +34,28 @@ namespace
 const btScalar FREE_TURN = btScalar(0.03);
 }  // namespace
 
-void JointModel::measure(Kinematics& kinematics) const
+const btRigidBody* JointModel::support() const
 {
-	kinematics.evaluate(bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB,
+	if (bodyA().isStaticOrKinematicObject())
+		return &bodyA();
+	return bodyB().isStaticOrKinematicObject() ? &bodyB() : nullptr;
+}
+
+btScalar JointModel::kinematicLead(btScalar step) const
+{
+	const btRigidBody* const body = support();
+	return body && body->isKinematicObject() ? btElasticPlastic::kinematicLead(m_state.m_support, *body, step)
+											 : btScalar(0);
+}
+
+void JointModel::measure(Kinematics& kinematics, btScalar lead) const
+{
+	const btTransform &shownA = bodyA().getCenterOfMassTransform(), &shownB = bodyB().getCenterOfMassTransform();
+	btTransform before;
+	if (lead > 0)
+		before = placeBeforeLead(*support(), lead);
+	const bool isLeadOfA = lead > 0 && support() == &bodyA(), isLeadOfB = lead > 0 && !isLeadOfA;
+	kinematics.evaluate(isLeadOfA ? before : shownA, isLeadOfB ? before : shownB, m_frameInA, m_frameInB,
 						m_state.offset(), m_state.m_plasticRotation, m_state.m_plasticMiddle);
 	if (m_capacity.m_length > 0)
 	{
@@ -224,6 +244,7 @@ btElasticPlasticFault findNumberFault(const btElasticPlasticState& state)
 				 {"the state's withheld step [s]", state.m_withheldStep},
 				 {"the state's spin of body A [rad/s]", state.m_spin[0]},
 				 {"the state's spin of body B [rad/s]", state.m_spin[1]},
+				 {"the state's lead of its support [s]", state.m_support.m_lead},
 				 {"the state's rate of ringing [W]", btScalar(state.m_innerRhythm.m_ringing)}};
 	for (const auto& step : steps)
 		if (!canBeKept(step.m_value) || step.m_value < 0)

@@ -76,8 +76,16 @@ struct JointModel
 	btTransform frameA() const;
 	btTransform frameB() const;
 
+	/// The static or kinematic body that the joint stands on; null: none.
+	const btRigidBody* support() const;
+
+	/// By which time its support is shown ahead of where the substep will leave it, see KinematicLead.h [s].
+	/// \param step  length of the substep [s]
+	btScalar kinematicLead(btScalar step) const;
+
 	/// Axes, arms and elastic deformation at the bodies' present transforms.
-	void measure(Kinematics& kinematics) const;
+	/// \param lead  by which time kinematic bodies are shown ahead of where they are [s]
+	void measure(Kinematics& kinematics, btScalar lead = 0) const;
 
 	/// What rounding may make of a strain that is measured at the bodies' present transforms [m], [rad].
 	btScalar strainRounding(int dof) const;

@@ -124,6 +124,7 @@ bool JointRegistry::add(JointWorks& joint)
 		joint.m_entry.m_registry->remove(joint);
 	joint.m_entry.m_registry = this;
 	joint.m_entry.m_number = m_numNumbers++;
+	joint.findSupport();
 	(joint.m_model.m_state.m_broken ? m_broken : m_joints).append(Entry(&joint));
 	m_hasNew = true;
 	return true;
@@ -292,7 +293,7 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 	m_broken.closeGaps();
 	applyMotions(world);
 	limitEnergy(world);
-	commitJoints(world);
+	commitJoints(world, timeStep);
 	m_ledger.book();
 	removeBrokenFromWorld(world);
 	endSeparations();
@@ -380,12 +381,11 @@ void JointRegistry::leaveIfGone(const btDynamicsWorld& world, JointWorks& joint)
 }
 
 /// To be asked after the joint's commit. Of sleeping joints those are looked at that stand on something.
-bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint)
+bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint, btScalar timeStep)
 {
-	if (!(m_wakingShare < btElasticPlasticCapacity::unlimited()))
-		return false;
 	const bool mayBeWatched = joint.wasInStep() || (joint.mayHaveSupport() && isInWorld(world, joint));
-	return mayBeWatched && joint.isLoadChanging(m_wakingShare);
+	return mayBeWatched && joint.isLoadChanging(m_wakingShare, timeStep) &&
+		   m_wakingShare < btElasticPlasticCapacity::unlimited();
 }
 
 /// Keeps joints from giving more than they have where a solver's iterations have ended before the solution.
@@ -405,7 +405,7 @@ void JointRegistry::limitEnergy(const btDynamicsWorld& world)
 	m_ledger.limit();
 }
 
-void JointRegistry::commitJoints(const btDynamicsWorld& world)
+void JointRegistry::commitJoints(const btDynamicsWorld& world, btScalar timeStep)
 {
 	m_leftOut.resize(0);
 	for (int i = 0; i < m_joints.getEnd(); ++i)
@@ -423,7 +423,7 @@ void JointRegistry::commitJoints(const btDynamicsWorld& world)
 		const int outcome = joint.commit();
 		if (wasInStep && !joint.wasInStep())
 			m_leftOut.push_back(&joint);
-		if (hasToStayAwake(world, joint))
+		if (hasToStayAwake(world, joint, timeStep))
 			joint.wakeBodies();
 		if (joint.wasInStep() && joint.m_levels.isAnySet())
 			reportLevels(joint);

@@ -219,10 +219,10 @@ private:
 
 	void removeJointsOf(const btRigidBody& body, List& list);
 	void limitEnergy(const btDynamicsWorld& world);
-	void commitJoints(const btDynamicsWorld& world);
+	void commitJoints(const btDynamicsWorld& world, btScalar timeStep);
 	bool isInWorld(const btDynamicsWorld& world, JointWorks& joint);
 	void leaveIfGone(const btDynamicsWorld& world, JointWorks& joint);
-	bool hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint);
+	bool hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint, btScalar timeStep);
 	void wakeNeighbours(btDynamicsWorld& world, btRigidBody& body);
 	void tellLeftOut(const btDynamicsWorld& world);
 	void removeBrokenFromWorld(btDynamicsWorld& world);

@@ -68,9 +68,9 @@ void JointStep::takeBackKinematicMotion()
 		m_kinematics.m_strain[i] += m_dt * moved[i];
 }
 
-bool JointStep::evaluate(btScalar dt)
+bool JointStep::evaluate(btScalar dt, btScalar share)
 {
-	m_model.measure(m_kinematics);
+	m_model.measure(m_kinematics, m_model.kinematicLead(dt / share));
 	if (!m_kinematics.isUsable() || !(dt > 0) || !btElasticPlasticIsFinite(dt))
 	{
 		revert();
@@ -384,7 +384,7 @@ void JointStep::beginFibres(JointRows& rows)
 
 bool JointStep::begin(btScalar dt, btScalar erp, StepKind kind, JointRows& rows)
 {
-	if (m_numRows == 0 || !evaluate(dt))
+	if (m_numRows == 0 || !evaluate(dt, kind.m_share))
 		return false;
 	const Kinematics& k = rows.m_kinematics = m_kinematics;
 	const Diagonal diagonal(m_model.bodyA(), m_model.bodyB());

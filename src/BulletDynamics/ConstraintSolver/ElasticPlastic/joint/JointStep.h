@@ -31,8 +31,9 @@ public:
 	int prepare(bool knowsFibres = false);
 
 	/// Evaluates the joint at the bodies' present transforms and velocities, for a step of dt [s].
+	/// \param share  of the world's step
 	/// \return false, and the joint has no part in the step, if its strain is no number or the step not finite and above 0
-	bool evaluate(btScalar dt);
+	bool evaluate(btScalar dt, btScalar share = 1);
 
 	/// All that a solver needs: evaluate(), and the rows with their own diagonals.
 	/// \param erp    Bullet's error reduction, for rigid-plastic rows

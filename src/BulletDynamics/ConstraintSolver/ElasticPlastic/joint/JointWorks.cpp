@@ -397,11 +397,17 @@ int JointWorks::commit()
 
 bool JointWorks::mayHaveSupport() const { return m_model.m_dofs != 0 && LoadWatch::mayHaveSupport(m_model.m_state); }
 
-bool JointWorks::isLoadChanging(btScalar share)
+void JointWorks::findSupport()
+{
+	if (m_model.m_state.m_support.m_kind == btElasticPlasticState::Support::NOT_SEEN)
+		LoadWatch(m_model).hasSupportMoved(0);
+}
+
+bool JointWorks::isLoadChanging(btScalar share, btScalar step)
 {
 	LoadWatch watch(m_model);
 	const bool hasDeformed = wasInStep() && watch.hasDeformed(m_step.getKinematics().m_strain, share);
-	return watch.hasSupportMoved() || hasDeformed;
+	return watch.hasSupportMoved(step) || hasDeformed;
 }
 
 btVector3 JointWorks::appliedImpulse() const

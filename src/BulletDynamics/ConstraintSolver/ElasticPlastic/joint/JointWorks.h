@@ -150,13 +150,16 @@ public:
 	/// Whether the last commit ended a step that the joint had a part in.
 	bool wasInStep() const { return m_step.getNumCommittedRows() > 0; }
 
+	/// Looks where the support of a new joint is: a game may move it before the first step.
+	void findSupport();
+
 	/// Whether the joint has stood on a static or kinematic body, or has not been looked at yet.
 	bool mayHaveSupport() const;
 
 	/// Whether the joint's bodies must not sleep: its load has changed, it flows, or what it stands on moves.
 	/// To be called after commit(), while the bodies exist.
 	/// \param share  of the yield value; see LoadWatch
-	bool isLoadChanging(btScalar share);
+	bool isLoadChanging(btScalar share, btScalar step);
 
 	/// What the joint has given body A in the last step [N s], and how fast body B moves against body A at the joint [m/s], in world
 	/// axes.

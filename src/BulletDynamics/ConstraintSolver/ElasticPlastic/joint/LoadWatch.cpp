@@ -3,9 +3,6 @@
 
 #include "LoadWatch.h"
 
-#include <stdint.h>
-#include <string.h>
-
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
 namespace btElasticPlastic
@@ -32,41 +29,26 @@ bool LoadWatch::hasDeformed(const btScalar strain[BT_EP_DOF_COUNT], btScalar sha
 	return hasChanged;
 }
 
-namespace
+bool LoadWatch::mayHaveSupport(const btElasticPlasticState& state)
 {
-/// What the state keeps in place of a digest.
-const unsigned long long NOT_SEEN = 0, NO_SUPPORT = 1;
-
-/// A number that two different transforms hardly ever have in common, and which is none of the two above.
-unsigned long long digestOf(const btTransform& transform)
-{
-	uint64_t digest = 1;
-	for (int row = 0; row < 4; ++row)
-	{
-		const btVector3& vector = row < 3 ? transform.getBasis()[row] : transform.getOrigin();
-		for (int i = 0; i < 3; ++i)
-		{
-			const double number = vector[i];
-			uint64_t bits;
-			memcpy(&bits, &number, sizeof bits);
-			digest = (digest ^ bits) * 0x9E3779B97F4A7C15u;
-			digest ^= digest >> 32;
-		}
-	}
-	return digest | 2;
+	return state.m_support.m_kind != btElasticPlasticState::Support::NONE;
 }
-}  // namespace
 
-bool LoadWatch::mayHaveSupport(const btElasticPlasticState& state) { return state.m_supportDigest != NO_SUPPORT; }
-
-bool LoadWatch::hasSupportMoved()
+bool LoadWatch::hasSupportMoved(btScalar step)
 {
-	const btRigidBody &a = m_model.bodyA(), &b = m_model.bodyB();
-	const bool isSupported = a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject();
-	const btRigidBody& support = a.isStaticOrKinematicObject() ? a : b;
-	const unsigned long long digest = isSupported ? digestOf(support.getCenterOfMassTransform()) : NO_SUPPORT;
-	const unsigned long long former = m_model.m_state.m_supportDigest;
-	m_model.m_state.m_supportDigest = digest;
-	return former != NOT_SEEN && former != digest;
+	using Support = btElasticPlasticState::Support;
+	Support& last = m_model.m_state.m_support;
+	const btRigidBody* const body = m_model.support();
+	Support now;
+	now.m_kind = body ? Support::SEEN : Support::NONE;
+	if (body)
+	{
+		now.m_place = body->getCenterOfMassTransform();
+		now.m_lead = m_model.kinematicLead(step);
+	}
+	const bool hasMoved =
+		last.m_kind != Support::NOT_SEEN && (last.m_kind != now.m_kind || !(last.m_place == now.m_place));
+	last = now;
+	return hasMoved;
 }
 }  // namespace btElasticPlastic

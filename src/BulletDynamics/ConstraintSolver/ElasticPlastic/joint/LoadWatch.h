@@ -26,8 +26,9 @@ public:
 	/// Whether it stood on a static or kinematic body when hasSupportMoved() was asked last, or was not asked yet.
 	static bool mayHaveSupport(const btElasticPlasticState& state);
 
-	/// Whether the static or kinematic body that the joint stands on is elsewhere than when it was asked last.
-	bool hasSupportMoved();
+	/// Whether the static or kinematic body that the joint stands on is elsewhere than when it was asked last, as each substep has ended.
+	/// \param step  length of the substep [s]
+	bool hasSupportMoved(btScalar step);
 
 private:
 	JointModel& m_model;

@@ -60,6 +60,18 @@ void transfer(Archive& archive, btElasticPlasticFibreState& state)
 	archive(state.m_isCracked);
 }
 
+template <class Archive>
+void transfer(Archive& archive, btElasticPlasticState::Support& support)
+{
+	archive(support.m_kind);
+	bool isSeen = support.m_kind == btElasticPlasticState::Support::SEEN;
+	archive(isSeen);
+	if (!isSeen)
+		return;
+	transfer(archive, support.m_place);
+	archive(support.m_lead);
+}
+
 /// Whether anything but their weight has acted on the bodies of a joint.
 inline bool hasLoad(const btElasticPlasticState& state)
 {
@@ -105,7 +117,7 @@ void transfer(Archive& archive, btElasticPlasticState& state)
 	transfer(archive, state.m_plasticPath);
 	transfer(archive, state.m_watched);
 	archive(state.m_passedLevels);
-	archive(state.m_supportDigest);
+	transfer(archive, state.m_support);
 	transferList(archive, state.m_fibres);
 	transfer(archive, state.m_fibreStrain);
 	for (unsigned char* number : {&state.m_innerRhythm.m_level, &state.m_innerRhythm.m_calm,
