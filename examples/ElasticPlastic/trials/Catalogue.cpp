@@ -4,6 +4,7 @@
 #include "trials/Catalogue.h"
 
 #include "trials/Handling.h"
+#include "trials/Loading.h"
 #include "trials/Motion.h"
 #include "trials/Scale.h"
 
@@ -14,7 +15,7 @@ const std::vector<Trial>& stabilityTrials()
 	static const std::vector<Trial> all = []
 	{
 		std::vector<Trial> list;
-		for (const auto& group : {trialsOfScale(), trialsOfMotion(), trialsOfHandling()})
+		for (const auto& group : {trialsOfScale(), trialsOfMotion(), trialsOfHandling(), trialsOfLoading()})
 			list.insert(list.end(), group.begin(), group.end());
 		return list;
 	}();
