@@ -291,7 +291,7 @@ void JointRegistry::commit(btDynamicsWorld& world, btScalar timeStep)
 	m_isCommitting = true;
 	m_joints.closeGaps();
 	m_broken.closeGaps();
-	applyMotions(world);
+	endTaken(world);
 	limitEnergy(world);
 	commitJoints(world, timeStep);
 	m_ledger.book();
@@ -319,40 +319,28 @@ bool JointRegistry::isStep(btScalar timeStep)
 	return false;
 }
 
-void JointRegistry::take(const std::vector<BodyMotion>& motions)
+void JointRegistry::take(const std::vector<BodyMotion>& motions, const std::vector<LoadHistory>& loads)
 {
-	const std::lock_guard<std::mutex> lock(m_taking);
-	m_taken.insert(m_taken.end(), motions.begin(), motions.end());
-}
-
-void JointRegistry::forgetMotions()
-{
-	const std::lock_guard<std::mutex> lock(m_taking);
-	m_taken.clear();
-}
-
-void JointRegistry::applyMotions(btDynamicsWorld& world)
-{
-	if (m_taken.size() + m_motions.size() == 0)
+	if (motions.empty() && loads.empty())
 		return;
-	for (const BodyMotion& motion : m_taken)
+	const std::lock_guard<std::mutex> lock(m_taking);
+	m_motions.take(motions);
+	m_loads.take(loads);
+}
+
+void JointRegistry::forgetTaken()
+{
+	const std::lock_guard<std::mutex> lock(m_taking);
+	m_motions.forget();
+	m_loads.forget();
+}
+
+void JointRegistry::endTaken(btDynamicsWorld& world)
+{
+	for (const BodyMotion& motion : m_motions.getTaken())
 		motion.apply(world);
-	setMotions(m_taken);
-	m_taken.clear();
-}
-
-void JointRegistry::setMotions(const std::vector<BodyMotion>& motions)
-{
-	m_motions = motions;
-	m_motionOf.clear();
-	for (size_t i = 0; i < m_motions.size(); ++i)
-		m_motionOf.insert(btHashPtr(m_motions[i].m_body), int(i));
-}
-
-const BodyMotion* JointRegistry::findMotion(const btRigidBody& body) const
-{
-	const int* const index = m_motions.size() > 0 ? m_motionOf.find(btHashPtr(&body)) : nullptr;
-	return index ? &m_motions[size_t(*index)] : nullptr;
+	m_motions.end();
+	m_loads.end();
 }
 
 /// Whether a joint's constraint is in the world. One that has left it may have bodies that are deleted. The place in the world's list

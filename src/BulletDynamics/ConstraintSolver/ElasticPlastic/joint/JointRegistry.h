@@ -15,7 +15,8 @@
 #include "EventQueue.h"
 #include "GapList.h"
 #include "BodyMotion.h"
-#include "LinearMath/btHashMap.h"
+#include "BodyRecords.h"
+#include "LoadHistory.h"
 #include "WorldToken.h"
 
 struct btBroadphaseProxy;
@@ -159,22 +160,29 @@ public:
 	void arrange(btDynamicsWorld& world, const Standing* joints, int numJoints, double time);
 
 	/// How bodies have gone through inner steps in the last substep.
-	const std::vector<BodyMotion>& getMotions() const { return m_motions; }
-	void setMotions(const std::vector<BodyMotion>& motions);
+	const std::vector<BodyMotion>& getMotions() const { return m_motions.getLast(); }
+	void setMotions(const std::vector<BodyMotion>& motions) { m_motions.set(motions); }
+
+	/// How loads of bodies have changed until the last substep.
+	const std::vector<LoadHistory>& getLoads() const { return m_loads.getLast(); }
+	void setLoads(const std::vector<LoadHistory>& loads) { m_loads.set(loads); }
 
 	/// Puts an event of a known joint into the queue.
 	void addEvent(const btElasticPlasticEvent& event, JointWorks& joint);
 
 	// ---- in each step
 
-	/// Takes how bodies have gone through inner steps, for the end of the substep. Threads of a solver call it.
-	void take(const std::vector<BodyMotion>& motions);
+	/// Takes how bodies have gone through inner steps, and how their loads have changed, for the end of the substep. Threads of a solver call it.
+	void take(const std::vector<BodyMotion>& motions, const std::vector<LoadHistory>& loads);
 
 	/// Forgets what was taken for the end of a substep that has not come.
-	void forgetMotions();
+	void forgetTaken();
 
 	/// How a body has gone through the last substep. \return null if it has not taken inner steps
-	const BodyMotion* findMotion(const btRigidBody& body) const;
+	const BodyMotion* findMotion(const btRigidBody& body) const { return m_motions.find(body); }
+
+	/// How its loads have changed until the last substep. \return null if it has had none, or has not been in an island that may take inner steps
+	const LoadHistory* findLoads(const btRigidBody& body) const { return m_loads.find(body); }
 
 	/// Tells that a solver that is not exact has a joint in the substep under way. Threads of a solver call it.
 	void expectUnsure() { m_hasUnsure.store(true, std::memory_order_relaxed); }
@@ -239,7 +247,7 @@ private:
 	void updateDrawnFrames(btDynamicsWorld& world);
 	bool deliver();
 	bool isStep(btScalar timeStep);
-	void applyMotions(btDynamicsWorld& world);
+	void endTaken(btDynamicsWorld& world);
 
 	List m_joints;  ///< those that hold
 	List m_broken;
@@ -249,9 +257,9 @@ private:
 	EnergyLedger m_ledger;
 	std::atomic<bool> m_hasUnsure{false};  ///< joints that the ledger has to look at
 	btAlignedObjectArray<btElasticPlasticListener*> m_listeners;
-	std::vector<BodyMotion> m_taken, m_motions;  ///< of the substep under way, of the last one
-	btHashMap<btHashPtr, int> m_motionOf;        ///< index of m_motions, by body
-	std::mutex m_taking;                         ///< held while m_taken grows
+	BodyRecords<BodyMotion> m_motions;
+	BodyRecords<LoadHistory> m_loads;
+	std::mutex m_taking;                 ///< held while they take
 	std::recursive_mutex m_refusal;      ///< held while the listener is told, as threads of a solver refuse joints, too
 	btDynamicsWorld* m_world = nullptr;  ///< the world that was stepped last
 	double m_time = 0;

@@ -359,7 +359,7 @@ bool JointWorks::beginInside()
 	m_isCommittedInside = false;
 	m_isNew = m_model.m_state.m_lastStep == 0;
 	if (isAwaited && m_entry.m_registry)
-		m_entry.m_registry->forgetMotions();
+		m_entry.m_registry->forgetTaken();
 	return m_entry.m_registry && !isAwaited && m_step.getNumRows() == 0;
 }
 

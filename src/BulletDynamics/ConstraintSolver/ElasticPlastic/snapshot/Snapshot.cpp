@@ -219,6 +219,15 @@ std::vector<MotionImage> Snapshot::readMotions() const
 	return images;
 }
 
+std::vector<LoadImage> Snapshot::readLoads() const
+{
+	std::vector<LoadImage> images;
+	for (const LoadHistory& history : m_registry.getLoads())
+		if (rankOf(*history.m_body) >= 0)
+			images.push_back({rankOf(*history.m_body), history});
+	return images;
+}
+
 std::vector<EventImage> Snapshot::readEvents() const
 {
 	std::vector<EventImage> images;
@@ -304,6 +313,8 @@ void Snapshot::save(Writer& writer) const
 						 });
 	std::vector<MotionImage> motions = readMotions();
 	transferList(writer, motions);
+	std::vector<LoadImage> loads = readLoads();
+	transferList(writer, loads);
 	saveList<ConstraintImage>(writer, size_t(m_world.getNumConstraints()),
 							  [&](size_t i, ConstraintImage& image)
 							  {
@@ -517,9 +528,13 @@ bool Snapshot::arePairsSound(const WorldImage& image) const
 
 bool Snapshot::areMotionsSound(const WorldImage& image) const
 {
+	const auto isBody = [&](int object)
+	{ return object >= 0 && size_t(object) < m_objects.size() && isBodyOf(*m_objects[size_t(object)]); };
 	for (const MotionImage& motion : image.m_motions)
-		if (motion.m_object < 0 || size_t(motion.m_object) >= m_objects.size() ||
-			!isBodyOf(*m_objects[size_t(motion.m_object)]))
+		if (!isBody(motion.m_object))
+			return false;
+	for (const LoadImage& load : image.m_loads)
+		if (!isBody(load.m_object))
 			return false;
 	return true;
 }
@@ -629,6 +644,15 @@ void Snapshot::writeMotions(const WorldImage& image)
 		motions.push_back(motion);
 	}
 	m_registry.setMotions(motions);
+	std::vector<LoadHistory> loads;
+	for (const LoadImage& from : image.m_loads)
+	{
+		LoadHistory history = from.m_history;
+		history.m_body = btRigidBody::upcast(m_objects[size_t(from.m_object)]);
+		history.m_proxy = history.m_body->getBroadphaseHandle()->getUid();
+		loads.push_back(history);
+	}
+	m_registry.setLoads(loads);
 }
 
 void Snapshot::writeConstraints(const WorldImage& image)

@@ -56,6 +56,7 @@ private:
 	void readObject(const btCollisionObject& object, ObjectImage& image) const;
 	void readJoint(const JointWorks& joint, JointImage& image) const;
 	std::vector<MotionImage> readMotions() const;
+	std::vector<LoadImage> readLoads() const;
 	std::vector<EventImage> readEvents() const;
 	void readPair(const btBroadphasePair& pair, btManifoldArray& manifolds, PairImage& image) const;
 

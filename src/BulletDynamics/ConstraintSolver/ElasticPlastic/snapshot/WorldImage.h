@@ -11,6 +11,7 @@
 #include "../../btElasticPlasticEvent.h"
 #include "../../btElasticPlasticInnerMotion.h"
 #include "../../btElasticPlasticState.h"
+#include "../joint/LoadHistory.h"
 #include "Archive.h"
 #include "BulletCollision/NarrowPhaseCollision/btManifoldPoint.h"
 
@@ -246,6 +247,27 @@ void transfer(Archive& archive, MotionImage& image)
 	archive(image.m_isTouched);
 }
 
+/// How the loads of a body have changed.
+struct LoadImage
+{
+	int m_object = 0;
+	LoadHistory m_history;
+};
+
+template <class Archive>
+void transfer(Archive& archive, LoadImage& image)
+{
+	archive(image.m_object);
+	archive(image.m_history.m_step);
+	for (LoadHistory::Part* part : {&image.m_history.m_force, &image.m_history.m_torque})
+	{
+		transfer(archive, part->m_load);
+		transfer(archive, part->m_change);
+		transfer(archive, part->m_smooth);
+		archive(part->m_greatest);
+	}
+}
+
 /// A constraint in the world's list.
 struct ConstraintImage
 {
@@ -408,6 +430,7 @@ struct WorldImage
 	bool m_hasToken = false;             ///< an object of the registry that comes after them
 	std::vector<JointImage> m_joints;    ///< those that hold, then the broken ones, in the registry's order
 	std::vector<MotionImage> m_motions;
+	std::vector<LoadImage> m_loads;
 	std::vector<ConstraintImage> m_constraints;
 	std::vector<EventImage> m_events;
 	std::vector<PairImage> m_pairs;
@@ -424,6 +447,7 @@ void transfer(Archive& archive, WorldImage& image)
 	archive(image.m_hasToken);
 	transferList(archive, image.m_joints);
 	transferList(archive, image.m_motions);
+	transferList(archive, image.m_loads);
 	transferList(archive, image.m_constraints);
 	transferList(archive, image.m_events);
 	transferList(archive, image.m_pairs);

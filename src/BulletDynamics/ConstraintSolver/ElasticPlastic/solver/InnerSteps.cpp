@@ -281,8 +281,7 @@ void InnerSteps::solve(const SolverGroup& island, const btContactSolverInfo& inf
 	task.m_keepsSwings = keepsSwings;
 	m_motions.clear();
 	take(task, *registry);
-	if (m_motions.size() > 0)
-		registry->take(m_motions);
+	registry->take(m_motions, m_state.getLoads());
 }
 
 void InnerSteps::take(Task& task, const JointRegistry& registry)

@@ -5,6 +5,7 @@
 
 #include "../joint/BodyEnergy.h"
 #include "../joint/BodyGate.h"
+#include "../joint/BodyLoad.h"
 #include "../joint/JoinedVelocity.h"
 #include "../joint/JointRegistry.h"
 #include "../joint/JointWorks.h"
@@ -62,7 +63,7 @@ void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegis
 	m_dt = dt;
 	m_kinematic.resizeNoInitialize(0);
 	m_pushes.clear(dt);
-	addBodies(island, findsPushes);
+	addBodies(island, registry, findsPushes);
 	m_joints.resize(0);
 	m_enabled.resize(0);
 	m_isHeld = false;
@@ -92,13 +93,17 @@ void IslandState::begin(const SolverGroup& island, btScalar dt, const JointRegis
 			m_pushes.addJoint(island.m_joints[i]->m_model.m_state, given);
 	}
 	beginPushes();
+	m_loads.clear();
+	for (int i = 0; i < m_bodies.size() && findsPushes; ++i)
+		addLoad(m_bodies[i], registry);
 	addPoints(island);
 	findTouched();
 	// After inner steps contact points have the impulses of all of them, but the body may have left after the first.
 	for (int i = 0; i < m_bodies.size(); ++i)
 	{
 		m_bodies[i].m_body->setCompanionId(-1);
-		if (const BodyMotion* const last = registry.findMotion(*m_bodies[i].m_body))
+		const BodyMotion* const last = registry.findMotion(*m_bodies[i].m_body);
+		if (last)
 			m_isTouched[i] = last->m_isTouched;
 		m_bodies[i].m_wasTouched = m_isTouched[i];
 	}
@@ -115,7 +120,7 @@ void IslandState::saveJoints(const SolverGroup& island)
 }
 
 /// The index of a body here is kept in its companion id, which Bullet does not use between two solutions.
-void IslandState::addBodies(const SolverGroup& island, bool findsPushes)
+void IslandState::addBodies(const SolverGroup& island, const JointRegistry& registry, bool findsPushes)
 {
 	m_bodies.resizeNoInitialize(0);
 	m_bodies.reserve(island.m_numBodies);
@@ -129,7 +134,7 @@ void IslandState::addBodies(const SolverGroup& island, bool findsPushes)
 		m_bodies.push_back({body, body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
 							btElasticPlasticInnerMotion(), body->getWorldTransform(), body->getLinearVelocity(),
 							body->getAngularVelocity(), body->getLinearVelocity(), body->getAngularVelocity(), 0, 0, 0,
-							findsPushes ? m_pushes.addBody(*body) : -1, false, false});
+							findsPushes ? m_pushes.addBody(*body, registry.findLoads(*body)) : -1, -1, false, false});
 	}
 }
 
@@ -146,6 +151,20 @@ void IslandState::beginPushes()
 		body.m_angular = body.m_body->getAngularVelocity();
 		body.m_inner.m_shift = body.m_inner.m_pushes = m_pushes.getEnergy(body.m_given);
 	}
+}
+
+/// Most bodies have none.
+void IslandState::addLoad(Body& body, const JointRegistry& registry)
+{
+	const LoadHistory* const last = registry.findLoads(*body.m_body);
+	if (!last && forceBesideWeight(*body.m_body).isZero() && body.m_body->getTotalTorque().isZero())
+		return;
+	LoadHistory history = last ? *last : LoadHistory();
+	history.follow(*body.m_body, m_dt);
+	if (history.isNothing())
+		return;
+	body.m_load = int(m_loads.size());
+	m_loads.push_back(history);
 }
 
 void IslandState::addPoints(const SolverGroup& island)
@@ -268,10 +287,18 @@ void IslandState::endShift(btScalar later)
 /// \param later  the time by which its velocity is to belong to a later one [s]
 void IslandState::shift(Body& body, btScalar later)
 {
-	const btVector3 before = body.m_body->getLinearVelocity(),
-					change = body.m_body->getGravity() * body.m_body->getLinearFactor() * later;
-	body.m_body->setLinearVelocity(before + change);
-	body.m_inner.m_shift += double((before + change / 2).dot(change)) / double(body.m_body->getInvMass());
+	btRigidBody& b = *body.m_body;
+	const btMatrix3x3& basis = b.getWorldTransform().getBasis();
+	const double before = kineticEnergy(b, basis, b.getLinearVelocity(), b.getAngularVelocity());
+	btVector3 acceleration = b.getGravity() * b.getLinearFactor();
+	if (body.m_load >= 0)
+	{
+		const LoadHistory& load = m_loads[size_t(body.m_load)];
+		acceleration += load.m_force.m_smooth * b.getInvMass() * b.getLinearFactor();
+		b.setAngularVelocity(b.getAngularVelocity() + b.getInvInertiaTensorWorld() * load.m_torque.m_smooth * later);
+	}
+	b.setLinearVelocity(b.getLinearVelocity() + acceleration * later);
+	body.m_inner.m_shift += kineticEnergy(b, basis, b.getLinearVelocity(), b.getAngularVelocity()) - before;
 	body.m_ahead += later;
 }
 

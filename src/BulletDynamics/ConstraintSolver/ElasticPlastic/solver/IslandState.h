@@ -6,6 +6,7 @@
 
 #include "../../btElasticPlasticState.h"
 #include "../joint/BodyMotion.h"
+#include "../joint/LoadHistory.h"
 #include "Islands.h"
 #include "JoinedShift.h"
 #include "SteadyPushes.h"
@@ -96,6 +97,9 @@ public:
 	/// \param motions  gets how the bodies have moved
 	void finish(int steps, std::vector<BodyMotion>& motions);
 
+	/// How loads of bodies have changed, for the next step.
+	const std::vector<LoadHistory>& getLoads() const { return m_loads; }
+
 	/// Puts kinematic bodies back where the step has them end.
 	void releaseKinematicBodies();
 
@@ -113,6 +117,7 @@ private:
 		btScalar m_ahead,
 			m_notedAhead;   ///< the time by which its velocity belongs to a later one than before the step [s]
 		int m_given;        ///< of m_pushes
+		int m_load;         ///< of m_loads, -1: none
 		bool m_isJoined;    ///< has constraints
 		bool m_wasTouched;  ///< by a contact, when the step began
 	};
@@ -139,15 +144,16 @@ private:
 		double m_notedWork;  ///< see note()
 	};
 
-	void addBodies(const SolverGroup& island, bool findsPushes);
+	void addBodies(const SolverGroup& island, const JointRegistry& registry, bool findsPushes);
 	void beginPushes();
+	void addLoad(Body& body, const JointRegistry& registry);
 	void addPoints(const SolverGroup& island);
 	void addKinematic(btRigidBody& body);
 	void bookWork(const Point& point);
 	void leavePoints();
 	bool doPointsTellForces() const;
 	static void leave(const Point& point, const btScalar* impulses);
-	static void shift(Body& body, btScalar later);
+	void shift(Body& body, btScalar later);
 	void findTouched();
 	bool findJoinedShift(const SolverGroup& island, btScalar h);
 	bool isAnyTouched() const;
@@ -163,6 +169,7 @@ private:
 	btAlignedObjectArray<bool> m_isEnabled;              ///< of these, when the inner step began
 	JoinedShift m_joinedShift;
 	SteadyPushes m_pushes;
+	std::vector<LoadHistory> m_loads;
 	bool m_hasPushes = false;
 	bool m_hasSpringContact = false;
 	bool m_isHeld = false;                   ///< by a constraint with what does not move freely

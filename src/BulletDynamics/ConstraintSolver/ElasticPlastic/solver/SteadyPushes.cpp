@@ -14,6 +14,8 @@ namespace
 const btScalar ROUNDINGS = 16;
 /// What grows from step to step by no more than this factor comes on as a load does. Of what grows by more, the rest is a blow.
 const btScalar GROWTH = btScalar(2.5);
+/// What a load changes by in a step is no more than so many times what it has changed by lately.
+const btScalar SWAY = btScalar(1.5);
 
 /// The velocities that a body has now if nobody has changed them since it was moved: Bullet damps them as a step begins.
 void findVelocitiesLeft(btRigidBody& body, btScalar dt, btVector3& linear, btVector3& angular)
@@ -38,12 +40,18 @@ btVector3 rateOf(const btVector3& now, const btVector3& left, btScalar dt)
 }
 
 /// By component what of it has come before.
-btVector3 steadyOf(const btVector3& now, const btScalar* last)
+/// \param sway  a change by no more is one of the load that it is, through nothing, too
+btVector3 steadyOf(const btVector3& now, const btScalar* last, btScalar sway)
 {
 	btVector3 steady(0, 0, 0);
 	for (int k = 0; k < 3; ++k)
-		if (now[k] * last[k] > 0)
-			steady[k] = btFabs(now[k]) <= GROWTH * btFabs(last[k]) ? now[k] : last[k];
+	{
+		const bool grows = now[k] * last[k] > 0;
+		if (btFabs(now[k] - last[k]) <= sway || (grows && btFabs(now[k]) <= GROWTH * btFabs(last[k])))
+			steady[k] = now[k];
+		else if (grows)
+			steady[k] = last[k];
+	}
 	return steady;
 }
 
@@ -70,7 +78,7 @@ void SteadyPushes::clear(btScalar dt)
 	m_bodies.resizeNoInitialize(0);
 }
 
-int SteadyPushes::addBody(btRigidBody& body)
+int SteadyPushes::addBody(btRigidBody& body, const LoadHistory* loads)
 {
 	const btVector3 &v = body.getLinearVelocity(), &w = body.getAngularVelocity();
 	if (v == body.getInterpolationLinearVelocity() && w == body.getInterpolationAngularVelocity())
@@ -81,7 +89,15 @@ int SteadyPushes::addBody(btRigidBody& body)
 	if (givenLinear.isZero() && givenAngular.isZero())
 		return -1;
 	const btVector3 none(0, 0, 0);
-	m_bodies.push_back({&body, givenLinear, givenAngular, none, none, none, none, none, none, 0});
+	btScalar swayLinear = 0, swayAngular = 0;
+	if (loads)
+	{
+		const btVector3& inverse = body.getInvInertiaDiagLocal();
+		swayLinear = SWAY * loads->m_force.m_greatest * body.getInvMass();
+		swayAngular = SWAY * loads->m_torque.m_greatest * btMax(btMax(inverse.x(), inverse.y()), inverse.z());
+	}
+	m_bodies.push_back(
+		{&body, givenLinear, givenAngular, swayLinear, swayAngular, none, none, none, none, none, none, 0});
 	return m_bodies.size() - 1;
 }
 
@@ -100,8 +116,8 @@ void SteadyPushes::addJoint(btElasticPlasticState& state, const int given[2])
 			linear = body.m_linear;
 			angular = body.m_angular;
 			// A joint that is new remembers nothing.
-			setGreater(body.m_steadyLinear, steadyOf(linear, last));
-			setGreater(body.m_steadyAngular, steadyOf(angular, last + 3));
+			setGreater(body.m_steadyLinear, steadyOf(linear, last, body.m_swayLinear));
+			setGreater(body.m_steadyAngular, steadyOf(angular, last + 3, body.m_swayAngular));
 		}
 		for (int k = 0; k < 3; ++k)
 		{

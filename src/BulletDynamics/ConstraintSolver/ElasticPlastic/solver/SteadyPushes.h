@@ -5,6 +5,7 @@
 #define BT_ELASTIC_PLASTIC_STEADY_PUSHES_H
 
 #include "../../btElasticPlasticState.h"
+#include "../joint/LoadHistory.h"
 #include "LinearMath/btAlignedObjectArray.h"
 #include "LinearMath/btVector3.h"
 
@@ -22,8 +23,10 @@ public:
 	/// Begins anew, for a step of dt [s].
 	void clear(btScalar dt);
 
-	/// Looks at what a body has been given since it was moved. \return an index for addJoint(), -1: nothing
-	int addBody(btRigidBody& body);
+	/// Looks at what a body has been given since it was moved.
+	/// \param loads  of the body until the last step; null: none
+	/// \return an index for addJoint(), -1: nothing
+	int addBody(btRigidBody& body, const LoadHistory* loads);
 
 	/// Compares that with what it was given before the last step, as its joint remembers it, which remembers the new one instead.
 	/// \param given  of bodies A and B, by addBody(), -1 too for a body that does not move
@@ -49,6 +52,7 @@ private:
 	{
 		btRigidBody* m_body;
 		btVector3 m_linear, m_angular;              ///< given, by the step's length [m/s^2], [rad/s^2]
+		btScalar m_swayLinear, m_swayAngular;       ///< by how much that may change as a load does
 		btVector3 m_steadyLinear, m_steadyAngular;  ///< of that what was given before the last step, too
 		btVector3 m_pushForce, m_pushTorque;        ///< with which it acts as a load [N], [N m]
 		btVector3 m_force, m_torque;                ///< that others have applied [N], [N m]
