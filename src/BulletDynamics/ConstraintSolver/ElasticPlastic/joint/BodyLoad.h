@@ -17,6 +17,16 @@ inline btVector3 weightOf(const btRigidBody& body)
 
 /// The force that acts on a body in a step beside its weight [N]: exactly 0 if nobody has applied one.
 inline btVector3 forceBesideWeight(const btRigidBody& body) { return body.getTotalForce() - weightOf(body); }
+
+/// By component what two loads, or changes of loads, have in common.
+inline btVector3 commonOf(const btVector3& a, const btVector3& b)
+{
+	btVector3 common(0, 0, 0);
+	for (int k = 0; k < 3; ++k)
+		if (a[k] * b[k] > 0)
+			common[k] = btFabs(a[k]) < btFabs(b[k]) ? a[k] : b[k];
+	return common;
+}
 }  // namespace btElasticPlastic
 
 #endif  // BT_ELASTIC_PLASTIC_BODY_LOAD_H

@@ -53,16 +53,6 @@ const btRigidBody& bodyOf(const JointWorks& works, int side)
 {
 	return side == 0 ? works.m_model.bodyA() : works.m_model.bodyB();
 }
-
-/// By component what two loads have in common.
-btVector3 lesserOf(const btVector3& a, const btVector3& b)
-{
-	btVector3 lesser(0, 0, 0);
-	for (int k = 0; k < 3; ++k)
-		if (a[k] * b[k] > 0)
-			lesser[k] = btFabs(a[k]) < btFabs(b[k]) ? a[k] : b[k];
-	return lesser;
-}
 }  // namespace
 
 bool JoinedShift::isWanted(const SolverGroup& island, btScalar h)
@@ -175,8 +165,8 @@ void JoinedShift::find(bool withLoads)
 		Body& body = m_bodies[i];
 		const btRigidBody& b = *body.m_body;
 		const btScalar time = withLoads ? body.m_time : btScalar(0);
-		body.m_force = (weightOf(b) + lesserOf(body.m_force, forceBesideWeight(b))) * time;
-		body.m_torque = lesserOf(body.m_torque, b.getTotalTorque()) * time;
+		body.m_force = (weightOf(b) + commonOf(body.m_force, forceBesideWeight(b))) * time;
+		body.m_torque = commonOf(body.m_torque, b.getTotalTorque()) * time;
 		body.m_isLeftOut |= body.m_time == 0;
 		if (body.m_isLeftOut)
 			continue;
