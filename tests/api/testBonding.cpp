@@ -102,6 +102,37 @@ TEST(Bonding, WhatDoesNotTouchIsNotJoined)
 		EXPECT_FALSE(Bonding::findFaces(pointersTo(world).data(), 8, bad, faces));
 }
 
+TEST(Bonding, SquaresAreDrawnByTheirSides)
+{
+	// They have no principal axes: rounding turned them by anything, and by 45 degrees they bore 1.41 times as much about a side.
+	for (int i = 0; i < 100; ++i)
+	{
+		World world(Solver::Direct);
+		const btTransform place(btQuaternion(btVector3(1, btScalar(0.1 * i), -2).normalized(), btScalar(0.37 * i)),
+								btVector3(btScalar(i), -3, 5));
+		world.body(5, world.box(btVector3(1, btScalar(0.2), btScalar(0.2))), place * at(0));
+		world.body(5, world.box(btVector3(1, btScalar(0.2), btScalar(0.2))), place * at(1));
+		const Faces faces = facesOf(world);
+		ASSERT_EQ(1, faces.size());
+		EXPECT_NEAR(0.2, faces[0].m_height, 0.001);
+		const btVector3 y = (place.inverse() * faces[0].m_frame).getBasis().getColumn(1);
+		EXPECT_NEAR(1, btMax(btFabs(y.y()), btFabs(y.z())), byPrecision(1e-9, 1e-4)) << i;
+	}
+}
+
+TEST(Bonding, AMaterialThatIsNoneIsRefused)
+{
+	World world(Solver::Direct);
+	world.body(5, world.box(btVector3(1, 1, 1)), at(0));
+	world.body(5, world.box(btVector3(1, 1, 1)), at(1));
+	const std::vector<btRigidBody*> bodies = pointersTo(world);
+	btAlignedObjectArray<btElasticPlastic6DofSpring2Constraint*> joints;
+	EXPECT_FALSE(Bonding::joinAll(world.bullet(), world.action(), bodies.data(), int(bodies.size()), GAP,
+								  btElasticPlasticReadyMaterial::find("unobtainium"), joints));
+	EXPECT_EQ(0, joints.size());
+	EXPECT_EQ(0, world.bullet().getNumConstraints());
+}
+
 TEST(Bonding, VoxelsAreJoinedToTheirNeighbours)
 {
 	for (const btTransform& place : places())

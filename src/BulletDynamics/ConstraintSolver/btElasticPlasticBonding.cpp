@@ -222,6 +222,21 @@ struct Moments
 	}
 };
 
+/// Second moments that differ by less than this share have no principal axes.
+const btScalar ROUND = btScalar(1e-3);
+
+btVector3 longestSide(const Polygon& polygon)
+{
+	btVector3 longest(0, 0, 0);
+	for (size_t i = 0; i < polygon.size(); ++i)
+	{
+		const btVector3 side = polygon[(i + 1) % polygon.size()] - polygon[i];
+		if (side.length2() > longest.length2() * (1 + btScalar(1e-4)))
+			longest = side;
+	}
+	return longest;
+}
+
 /// A face of a polygon between two pieces. \param normal  from the first piece to the second
 btElasticPlasticFace makeFace(const Piece& a, const Piece& b, const Polygon& polygon, const btVector3& normal)
 {
@@ -232,10 +247,13 @@ btElasticPlasticFace makeFace(const Piece& a, const Piece& b, const Polygon& pol
 	face.m_bodyA = a.m_body;
 	face.m_bodyB = b.m_body;
 	face.m_area = moments.m_area;
-	// The height is along the axis with the larger second moment.
-	const btScalar angle = btAtan2(2 * moments.m_uv, moments.m_uu - moments.m_vv) / 2;
 	const btScalar mean = (moments.m_uu + moments.m_vv) / 2,
 				   half = btSqrt(btPow((moments.m_uu - moments.m_vv) / 2, 2) + moments.m_uv * moments.m_uv);
+	// The height is along the axis with the larger second moment, of a square or the like along a side: about its diagonals the section would be drawn turned by
+	// rounding alone.
+	const btVector3 side = longestSide(polygon);
+	const btScalar angle = half > ROUND * mean ? btAtan2(2 * moments.m_uv, moments.m_uu - moments.m_vv) / 2
+											   : btAtan2(side.dot(v), side.dot(u));
 	const btScalar ratio = btSqrt((mean + half) / btMax(mean - half, mean * SIMD_EPSILON));
 	face.m_height = btSqrt(face.m_area * ratio);
 	face.m_width = face.m_area / btMax(face.m_height, SIMD_EPSILON);
@@ -341,7 +359,7 @@ bool btElasticPlasticBonding::joinAll(btDynamicsWorld& world, btElasticPlasticAc
 									  btAlignedObjectArray<btElasticPlastic6DofSpring2Constraint*>& joints)
 {
 	btAlignedObjectArray<btElasticPlasticFace> faces;
-	if (!findFaces(bodies, numBodies, gap, faces))
+	if (material.fault() || !findFaces(bodies, numBodies, gap, faces))
 		return false;
 	for (int i = 0; i < faces.size(); ++i)
 	{

@@ -55,7 +55,7 @@ struct btElasticPlasticBonding
 	/// All at once: finds faces, and puts a joint into each of them, the world and the action. Joined bodies do not collide with each
 	/// other until their joint breaks.
 	/// \param joints  the joints are added to it; the caller owns them
-	/// \return false, and nothing changes, as findFaces()
+	/// \return false, and nothing changes, as findFaces(), or if the material has a fault
 	static bool joinAll(btDynamicsWorld& world, btElasticPlasticAction& action, btRigidBody* const* bodies,
 						int numBodies, btScalar gap, const btElasticPlasticMaterial& material,
 						btAlignedObjectArray<btElasticPlastic6DofSpring2Constraint*>& joints);

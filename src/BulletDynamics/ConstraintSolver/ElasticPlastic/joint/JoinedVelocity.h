@@ -9,8 +9,12 @@
 namespace btElasticPlastic
 {
 // How joints and contacts see bodies move: a static body stands, whatever velocity it has been given. Bullet never moves it, and its rows of contacts take it as standing, too.
+// And so does a kinematic one that sleeps: Bullet takes over no motion of it, and leaves it its last velocity.
 
-inline bool isStanding(const btRigidBody& body) { return body.isStaticObject() && !body.isKinematicObject(); }
+inline bool isStanding(const btRigidBody& body)
+{
+	return body.isKinematicObject() ? body.getActivationState() == ISLAND_SLEEPING : body.isStaticObject();
+}
 
 /// [rad/s]
 inline btVector3 spinOf(const btRigidBody& body)

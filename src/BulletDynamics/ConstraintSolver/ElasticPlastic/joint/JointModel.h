@@ -79,9 +79,18 @@ struct JointModel
 	/// The static or kinematic body that the joint stands on; null: none.
 	const btRigidBody* support() const;
 
-	/// By which time its support is shown ahead of where the substep will leave it, see KinematicLead.h [s].
+	/// Looks where the support is now, between steps: a game may move it before the next one.
+	void findSupport();
+
+	/// Keeps a kinematic support that moves from falling asleep, as Bullet lets it if it is slow: it would be left where it is.
+	/// \param hasMoved  in the last substep
+	void keepSupportAwake(bool hasMoved);
+
+	/// By which time a kinematic support is shown ahead of where a substep will leave it, see KinematicLead.h [s].
 	/// \param step  length of the substep [s]
-	btScalar kinematicLead(btScalar step) const;
+	/// \param isAtBegin  the other body is where the substep begins: with the joint's last deformation that tells it where a support has not been
+	///                   seen, and that a structure has been put elsewhere as a whole
+	btScalar kinematicLead(btScalar step, bool isAtBegin) const;
 
 	/// Axes, arms and elastic deformation at the bodies' present transforms.
 	/// \param lead  by which time kinematic bodies are shown ahead of where they are [s]
@@ -274,6 +283,9 @@ private:
 
 	RelativeRotation relativeRotation() const;
 	bool measureReference(Kinematics& kinematics) const;
+
+	void measureAt(Kinematics& kinematics, const btTransform* support) const;
+	btScalar substepsTo(const btRigidBody& support, btScalar step, btScalar& left) const;
 	bool pointsTowardsB() const;
 	/// For Kinematics::bow(), of a member with a length.
 	struct BowedLengths

@@ -124,7 +124,7 @@ bool JointRegistry::add(JointWorks& joint)
 		joint.m_entry.m_registry->remove(joint);
 	joint.m_entry.m_registry = this;
 	joint.m_entry.m_number = m_numNumbers++;
-	joint.findSupport();
+	joint.m_model.findSupport();
 	(joint.m_model.m_state.m_broken ? m_broken : m_joints).append(Entry(&joint));
 	m_hasNew = true;
 	return true;
@@ -238,6 +238,7 @@ bool JointRegistry::repair(JointWorks& joint, btDynamicsWorld* world)
 		return false;
 	joint.m_model.m_state = btElasticPlasticState();
 	joint.m_model.setReferenceToCurrentPose();
+	joint.m_model.findSupport();
 	joint.m_step.revert();
 	joint.wakeBodies();
 	return true;
@@ -372,8 +373,10 @@ void JointRegistry::leaveIfGone(const btDynamicsWorld& world, JointWorks& joint)
 bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint, btScalar timeStep)
 {
 	const bool mayBeWatched = joint.wasInStep() || (joint.mayHaveSupport() && isInWorld(world, joint));
-	return mayBeWatched && joint.isLoadChanging(m_wakingShare, timeStep) &&
-		   m_wakingShare < btElasticPlasticCapacity::unlimited();
+	if (mayBeWatched)
+		return joint.isLoadChanging(m_wakingShare, timeStep) && m_wakingShare < btElasticPlasticCapacity::unlimited();
+	joint.forgetSupport();
+	return false;
 }
 
 /// Keeps joints from giving more than they have where a solver's iterations have ended before the solution.

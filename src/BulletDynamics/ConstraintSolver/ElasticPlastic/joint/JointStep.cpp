@@ -54,13 +54,13 @@ void JointStep::takeBackKinematicMotion()
 	btVector3 linear(0, 0, 0), angular(0, 0, 0);
 	if (A.isKinematicObject())
 	{
-		linear += A.getVelocityInLocalPoint(m_kinematics.m_rA);
-		angular += A.getAngularVelocity();
+		linear += velocityAt(A, m_kinematics.m_rA);
+		angular += spinOf(A);
 	}
 	if (B.isKinematicObject())
 	{
-		linear -= B.getVelocityInLocalPoint(m_kinematics.m_rB);
-		angular -= B.getAngularVelocity();
+		linear -= velocityAt(B, m_kinematics.m_rB);
+		angular -= spinOf(B);
 	}
 	btScalar moved[BT_EP_DOF_COUNT];
 	m_kinematics.projectMotion(linear, angular, moved);
@@ -70,7 +70,10 @@ void JointStep::takeBackKinematicMotion()
 
 bool JointStep::evaluate(btScalar dt, btScalar share)
 {
-	m_model.measure(m_kinematics, m_model.kinematicLead(dt / share));
+	if (!m_isLeadFound)
+		m_lead = m_model.kinematicLead(dt / share, true);
+	m_isLeadFound = true;
+	m_model.measure(m_kinematics, m_lead + m_model.m_state.m_support.m_late);
 	if (!m_kinematics.isUsable() || !(dt > 0) || !btElasticPlasticIsFinite(dt))
 	{
 		revert();

@@ -184,9 +184,14 @@ public:
 	/// Forgets the step: the state stays as it was committed last.
 	void revert() { m_numRows = 0; }
 
+	/// By which time a kinematic support is shown ahead in the substep, as its first evaluate() has found. \return below 0: there was none
+	btScalar getLead() const { return m_isLeadFound ? m_lead : btScalar(-1); }
+	void forgetLead() { m_isLeadFound = false; }
+
 	/// Forgets the last committed step as well.
 	void forget()
 	{
+		m_isLeadFound = false;
 		m_numRows = m_numCommittedRows = 0;
 		m_fibres.forgetLosses();
 	}
@@ -309,6 +314,8 @@ private:
 	JointModel& m_model;
 	int m_numRows = 0;  ///< of a joint with fibres the last three are what these add up to
 	int m_numCommittedRows = 0;
+	btScalar m_lead = 0;  ///< see getLead() [s]
+	bool m_isLeadFound = false;
 	btScalar m_dt = 0;
 	btScalar m_withheld[BT_EP_DOF_COUNT];  ///< strain that this step leaves to later ones, see withholdDrift()
 	btScalar m_withheldStep = 0;

@@ -257,6 +257,9 @@ void JointWorks::writeRows(btTypedConstraint::btConstraintInfo2* info, int first
 		return;
 	// Local copies, which the compiler need not read again after every write to the rows.
 	const int rows = m_step.getNumRows(), skip = info->rowskip;
+	// Without an action no substep ends.
+	if (!m_entry.m_registry)
+		m_step.forgetLead();
 	if (!m_step.evaluate(1 / info->fps))
 	{
 		// Bullet has filled the rows with zeros; with bounds of zero they do nothing.
@@ -397,17 +400,14 @@ int JointWorks::commit()
 
 bool JointWorks::mayHaveSupport() const { return m_model.m_dofs != 0 && LoadWatch::mayHaveSupport(m_model.m_state); }
 
-void JointWorks::findSupport()
-{
-	if (m_model.m_state.m_support.m_kind == btElasticPlasticState::Support::NOT_SEEN)
-		LoadWatch(m_model).hasSupportMoved(0);
-}
-
 bool JointWorks::isLoadChanging(btScalar share, btScalar step)
 {
 	LoadWatch watch(m_model);
 	const bool hasDeformed = wasInStep() && watch.hasDeformed(m_step.getKinematics().m_strain, share);
-	return watch.hasSupportMoved(step) || hasDeformed;
+	const bool hasMoved = watch.hasSupportMoved(step, m_step.getLead());
+	m_step.forgetLead();
+	m_model.keepSupportAwake(hasMoved);
+	return hasMoved || hasDeformed;
 }
 
 btVector3 JointWorks::appliedImpulse() const

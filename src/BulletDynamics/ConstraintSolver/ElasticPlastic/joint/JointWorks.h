@@ -150,8 +150,8 @@ public:
 	/// Whether the last commit ended a step that the joint had a part in.
 	bool wasInStep() const { return m_step.getNumCommittedRows() > 0; }
 
-	/// Looks where the support of a new joint is: a game may move it before the first step.
-	void findSupport();
+	/// Forgets what the joint stands on: it is not followed any more.
+	void forgetSupport() { m_model.m_state.m_support = btElasticPlasticState::Support(); }
 
 	/// Whether the joint has stood on a static or kinematic body, or has not been looked at yet.
 	bool mayHaveSupport() const;

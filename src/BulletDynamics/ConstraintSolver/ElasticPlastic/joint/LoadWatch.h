@@ -28,7 +28,8 @@ public:
 
 	/// Whether the static or kinematic body that the joint stands on is elsewhere than when it was asked last, as each substep has ended.
 	/// \param step  length of the substep [s]
-	bool hasSupportMoved(btScalar step);
+	/// \param lead  by which time it was shown ahead in it, as the joint's step has found [s]; below 0: it has not
+	bool hasSupportMoved(btScalar step, btScalar lead);
 
 private:
 	JointModel& m_model;

@@ -71,6 +71,7 @@ void transfer(Archive& archive, btElasticPlasticState::Support& support)
 		return;
 	transfer(archive, support.m_place);
 	archive(support.m_lead);
+	archive(support.m_late);
 }
 
 /// Whether anything but their weight has acted on the bodies of a joint.
