@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/KinematicLead.h"
+#include "BulletDynamics/ConstraintSolver/ElasticPlastic/joint/SupportWay.h"
 #include "support/Pair.h"
 #include "support/Precision.h"
 

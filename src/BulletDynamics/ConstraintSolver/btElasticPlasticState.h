@@ -65,7 +65,7 @@ struct btElasticPlasticState
 		};
 		unsigned char m_kind = NOT_SEEN;
 		btTransform m_place = btTransform::getIdentity();  ///< [m]
-		btScalar m_lead = 0;  ///< by which a kinematic body is shown ahead of its way, see KinematicLead.h [s]
+		btScalar m_lead = 0;  ///< by which a kinematic body is shown ahead of its way, see SupportWay.h [s]
 		btScalar m_late =
 			0;  ///< by which the joint still follows it late, since it has moved while the joint slept [s]
 	} m_support;

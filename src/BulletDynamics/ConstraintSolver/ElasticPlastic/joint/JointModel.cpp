@@ -10,8 +10,8 @@
 #include "../../btElasticPlasticSolverSettings.h"
 #include "BodyGate.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
-#include "KinematicLead.h"
 #include "MaterialDamping.h"
+#include "SupportWay.h"
 
 namespace btElasticPlastic
 {
@@ -41,103 +41,25 @@ const btRigidBody* JointModel::support() const
 	return bodyB().isStaticOrKinematicObject() ? &bodyB() : nullptr;
 }
 
-void JointModel::findSupport()
-{
-	using Support = btElasticPlasticState::Support;
-	const btRigidBody* const body = support();
-	m_state.m_support = Support();
-	m_state.m_support.m_kind = body ? Support::SEEN : Support::NONE;
-	if (body)
-		m_state.m_support.m_place = body->getCenterOfMassTransform();
-}
-
-void JointModel::keepSupportAwake(bool hasMoved)
-{
-	for (btRigidBody* body : {&m_bodyA, &m_bodyB})
-	{
-		if (!body->isKinematicObject())
-			continue;
-		if (hasMoved && body->getActivationState() == ISLAND_SLEEPING)
-			body->activate(true);
-		else if (!body->getLinearVelocity().isZero() || !body->getAngularVelocity().isZero())
-			body->setDeactivationTime(0);
-	}
-}
-
-namespace
-{
-/// How near to a number of substeps a way has to be, over the way of one; beside it, over all of it.
-const btScalar NEAR_COUNT = btScalar(0.25);
-}  // namespace
-
-/// By how many substeps of its way a support is ahead of where the joint's last deformation has it.
-/// \param left  gets what is left of that over the way of one
-btScalar JointModel::substepsTo(const btRigidBody& support, btScalar step, btScalar& left) const
-{
-	const btTransform& shown = support.getInterpolationWorldTransform();
-	const btTransform before = placeBefore(shown, support, step);
-	Kinematics atShown, atBefore;
-	measureAt(atShown, &shown);
-	measureAt(atBefore, &before);
-	const btScalar arm = atShown.m_rA.length() + atShown.m_rB.length();
-	double along = 0, square = 0, sum = 0;
-	for (int i = 0; i < BT_EP_DOF_COUNT; ++i)
-	{
-		if (!isElasticPlastic(i))
-			continue;
-		const double scale = i < 3 ? 1 : double(arm), way = scale * double(atBefore.m_strain[i] - atShown.m_strain[i]),
-					 gap = scale * double(elasticDeformation(i) - atShown.m_strain[i]);
-		along += way * gap;
-		square += way * way;
-		sum += gap * gap;
-	}
-	if (!(square > 0))
-		return 1;
-	left = btScalar(sqrt(fmax(sum - along * along / square, 0) / square));
-	return btScalar(along / square);
-}
-
-btScalar JointModel::kinematicLead(btScalar step, bool isAtBegin) const
-{
-	const btRigidBody* const body = support();
-	// Bullet takes over no motion of one that sleeps.
-	if (!body || !body->isKinematicObject() || body->getActivationState() == ISLAND_SLEEPING)
-		return 0;
-	const btElasticPlasticState::Support& last = m_state.m_support;
-	const bool isSeen = last.m_kind == btElasticPlasticState::Support::SEEN;
-	if (isSeen && body->getInterpolationWorldTransform() == last.m_place)
-		return last.m_lead - step > step / 2 ? last.m_lead - step : btScalar(0);
-	const int count = isSeen ? countSubsteps(last.m_place, *body, step) : 0;
-	if (count == 1 || !isAtBegin)
-		return btScalar(btMax(count - 1, 0)) * step;
-	btScalar left = 0;
-	const btScalar measured = substepsTo(*body, step, left);
-	if (count > 1)
-		// Put elsewhere with all that stands on it, it has the velocity of a way that it does not go.
-		return measured > btScalar(count) / 2 ? btScalar(count - 1) * step : btScalar(0);
-	const btScalar nearest = btScalar(floor(double(measured) + 0.5));
-	const bool isNear = nearest > 1 && btFabs(measured - nearest) < NEAR_COUNT && left < NEAR_COUNT * nearest;
-	return isNear ? (nearest - 1) * step : btScalar(0);
-}
-
 void JointModel::measure(Kinematics& kinematics, btScalar lead) const
 {
-	if (!(lead > 0))
-	{
-		measureAt(kinematics, nullptr);
-		return;
-	}
-	const btTransform before = placeBefore(support()->getCenterOfMassTransform(), *support(), lead);
-	measureAt(kinematics, &before);
+	if (lead > 0)
+		measureAt(kinematics, placeBefore(support()->getCenterOfMassTransform(), *support(), lead));
+	else
+		measureBetween(kinematics, bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform());
 }
 
-/// \param support  where the support is; null: where it is shown
-void JointModel::measureAt(Kinematics& kinematics, const btTransform* support) const
+void JointModel::measureAt(Kinematics& kinematics, const btTransform& place) const
 {
-	const bool isOfA = support && this->support() == &bodyA(), isOfB = support && !isOfA;
-	kinematics.evaluate(isOfA ? *support : bodyA().getCenterOfMassTransform(),
-						isOfB ? *support : bodyB().getCenterOfMassTransform(), m_frameInA, m_frameInB, m_state.offset(),
-						m_state.m_plasticRotation, m_state.m_plasticMiddle);
+	const bool isOfA = support() == &bodyA();
+	measureBetween(kinematics, isOfA ? place : bodyA().getCenterOfMassTransform(),
+				   isOfA ? bodyB().getCenterOfMassTransform() : place);
+}
+
+void JointModel::measureBetween(Kinematics& kinematics, const btTransform& placeA, const btTransform& placeB) const
+{
+	kinematics.evaluate(placeA, placeB, m_frameInA, m_frameInB, m_state.offset(), m_state.m_plasticRotation,
+						m_state.m_plasticMiddle);
 	if (m_capacity.m_length > 0)
 	{
 		const BowedLengths lengths = bowedLengths();
@@ -433,7 +355,7 @@ void JointModel::takeCapacity(const btElasticPlasticCapacity& capacity)
 			m_state.forget(i);
 	// Nobody has followed it meanwhile.
 	if (before == 0)
-		findSupport();
+		SupportWay(*this).find();
 	const bool areSame = hasFibresAt(former);
 	soften(former, stretch.m_energy, areSame);
 	takeFibres(stretch, areSame);

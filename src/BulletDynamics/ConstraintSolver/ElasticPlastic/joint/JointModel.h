@@ -79,22 +79,12 @@ struct JointModel
 	/// The static or kinematic body that the joint stands on; null: none.
 	const btRigidBody* support() const;
 
-	/// Looks where the support is now, between steps: a game may move it before the next one.
-	void findSupport();
-
-	/// Keeps a kinematic support that moves from falling asleep, as Bullet lets it if it is slow: it would be left where it is.
-	/// \param hasMoved  in the last substep
-	void keepSupportAwake(bool hasMoved);
-
-	/// By which time a kinematic support is shown ahead of where a substep will leave it, see KinematicLead.h [s].
-	/// \param step  length of the substep [s]
-	/// \param isAtBegin  the other body is where the substep begins: with the joint's last deformation that tells it where a support has not been
-	///                   seen, and that a structure has been put elsewhere as a whole
-	btScalar kinematicLead(btScalar step, bool isAtBegin) const;
-
 	/// Axes, arms and elastic deformation at the bodies' present transforms.
 	/// \param lead  by which time kinematic bodies are shown ahead of where they are [s]
 	void measure(Kinematics& kinematics, btScalar lead = 0) const;
+
+	/// The same with the support at a place.
+	void measureAt(Kinematics& kinematics, const btTransform& place) const;
 
 	/// What rounding may make of a strain that is measured at the bodies' present transforms [m], [rad].
 	btScalar strainRounding(int dof) const;
@@ -284,8 +274,7 @@ private:
 	RelativeRotation relativeRotation() const;
 	bool measureReference(Kinematics& kinematics) const;
 
-	void measureAt(Kinematics& kinematics, const btTransform* support) const;
-	btScalar substepsTo(const btRigidBody& support, btScalar step, btScalar& left) const;
+	void measureBetween(Kinematics& kinematics, const btTransform& placeA, const btTransform& placeB) const;
 	bool pointsTowardsB() const;
 	/// For Kinematics::bow(), of a member with a length.
 	struct BowedLengths

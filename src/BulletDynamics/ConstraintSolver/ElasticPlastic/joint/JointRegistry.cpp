@@ -10,6 +10,7 @@
 #include "LinearMath/btHashMap.h"
 #include "LinearMath/btIDebugDraw.h"
 #include "JointWorks.h"
+#include "SupportWay.h"
 
 namespace btElasticPlastic
 {
@@ -124,7 +125,7 @@ bool JointRegistry::add(JointWorks& joint)
 		joint.m_entry.m_registry->remove(joint);
 	joint.m_entry.m_registry = this;
 	joint.m_entry.m_number = m_numNumbers++;
-	joint.m_model.findSupport();
+	SupportWay(joint.m_model).find();
 	(joint.m_model.m_state.m_broken ? m_broken : m_joints).append(Entry(&joint));
 	m_hasNew = true;
 	return true;
@@ -238,7 +239,7 @@ bool JointRegistry::repair(JointWorks& joint, btDynamicsWorld* world)
 		return false;
 	joint.m_model.m_state = btElasticPlasticState();
 	joint.m_model.setReferenceToCurrentPose();
-	joint.m_model.findSupport();
+	SupportWay(joint.m_model).find();
 	joint.m_step.revert();
 	joint.wakeBodies();
 	return true;

@@ -11,6 +11,7 @@
 #include "BodyLoad.h"
 #include "Diagonal.h"
 #include "JoinedVelocity.h"
+#include "SupportWay.h"
 
 namespace btElasticPlastic
 {
@@ -71,7 +72,7 @@ void JointStep::takeBackKinematicMotion()
 bool JointStep::evaluate(btScalar dt, btScalar share)
 {
 	if (!m_isLeadFound)
-		m_lead = m_model.kinematicLead(dt / share, true);
+		m_lead = SupportWay(m_model).findLead(dt / share);
 	m_isLeadFound = true;
 	m_model.measure(m_kinematics, m_lead + m_model.m_state.m_support.m_late);
 	if (!m_kinematics.isUsable() || !(dt > 0) || !btElasticPlasticIsFinite(dt))

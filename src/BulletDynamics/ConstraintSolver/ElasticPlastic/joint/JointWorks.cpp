@@ -13,6 +13,7 @@
 #include "JoinedVelocity.h"
 #include "JointRegistry.h"
 #include "LoadWatch.h"
+#include "SupportWay.h"
 
 namespace btElasticPlastic
 {
@@ -398,15 +399,15 @@ int JointWorks::commit()
 	return inside | m_step.commit(1, m_model.m_state.m_lastStep == 0);
 }
 
-bool JointWorks::mayHaveSupport() const { return m_model.m_dofs != 0 && LoadWatch::mayHaveSupport(m_model.m_state); }
+bool JointWorks::mayHaveSupport() const { return m_model.m_dofs != 0 && SupportWay::mayBe(m_model.m_state); }
 
 bool JointWorks::isLoadChanging(btScalar share, btScalar step)
 {
-	LoadWatch watch(m_model);
-	const bool hasDeformed = wasInStep() && watch.hasDeformed(m_step.getKinematics().m_strain, share);
-	const bool hasMoved = watch.hasSupportMoved(step, m_step.getLead());
+	const bool hasDeformed = wasInStep() && LoadWatch(m_model).hasDeformed(m_step.getKinematics().m_strain, share);
+	SupportWay support(m_model);
+	const bool hasMoved = support.follow(step, m_step.getLead());
 	m_step.forgetLead();
-	m_model.keepSupportAwake(hasMoved);
+	support.keepAwake(hasMoved);
 	return hasMoved || hasDeformed;
 }
 

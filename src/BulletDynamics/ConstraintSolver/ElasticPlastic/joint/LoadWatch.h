@@ -23,14 +23,6 @@ public:
 	/// \param share   of the yield value, >= 0
 	bool hasDeformed(const btScalar strain[BT_EP_DOF_COUNT], btScalar share);
 
-	/// Whether it stood on a static or kinematic body when hasSupportMoved() was asked last, or was not asked yet.
-	static bool mayHaveSupport(const btElasticPlasticState& state);
-
-	/// Whether the static or kinematic body that the joint stands on is elsewhere than when it was asked last, as each substep has ended.
-	/// \param step  length of the substep [s]
-	/// \param lead  by which time it was shown ahead in it, as the joint's step has found [s]; below 0: it has not
-	bool hasSupportMoved(btScalar step, btScalar lead);
-
 private:
 	JointModel& m_model;
 };
