@@ -203,6 +203,10 @@ void IslandState::addKinematic(btRigidBody& body)
 	for (int i = 0; i < m_kinematic.size(); ++i)
 		if (m_kinematic[i].m_body == &body)
 			return;
+	// A callback of the game may have moved it since Bullet has looked at it: Bullet's velocity is that of the last frame.
+	const bool isMovedSince = !(body.getWorldTransform() == body.getInterpolationWorldTransform());
+	if (isMovedSince && !body.getMotionState() && body.getActivationState() != ISLAND_SLEEPING)
+		body.saveKinematicState(m_dt);
 	m_kinematic.push_back({&body, body.getWorldTransform()});
 }
 
