@@ -114,7 +114,7 @@ MUTATIONS = [
     Mutation("a support that becomes kinematic is where it is shown", "SupportWay.cpp", "const bool isNear = nearest > 1 &&", "const bool isNear = nearest > 1000 &&", "KinematicBodies.*"),
     Mutation("what sleeps is left behind by its support", "SupportWay.cpp", "now.m_late = btMin(now.m_late + step, MOST_LATE * step);", "now.m_late = 0;", "KinematicBodies.*"),
     Mutation("a slow support falls asleep", "SupportWay.cpp", "body->setDeactivationTime(0);", "body->setDeactivationTime(body->getDeactivationTime());", "KinematicBodies.*"),
-    Mutation("a support moved by a callback has its velocity of before", "IslandState.cpp", "		body.saveKinematicState(m_dt);", "		(void)m_dt;", "KinematicBodies.*"),
+    Mutation("a support moved by a callback has its velocity of before", "IslandState.cpp", "	followCallback(body, m_dt);", "	if (m_dt < 0)\n		followCallback(body, m_dt);", "KinematicBodies.*"),
     Mutation("squares are drawn by rounding", "btElasticPlasticBonding.cpp", "half > ROUND * mean ?", "half >= 0 ?", "Bonding.*"),
     Mutation("each impulse is a blow", "InnerSteps.cpp", "registry, !registry.isStepControlled());", "registry, false);", "SteadyPushes.*"),
     Mutation("a load of impulses is forgotten", "SteadyPushes.cpp", "<= GROWTH * btFabs(last[k])", "<= 0 * btFabs(last[k])", "SteadyPushes.*"),

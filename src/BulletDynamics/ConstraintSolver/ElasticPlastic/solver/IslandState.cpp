@@ -32,6 +32,21 @@ btVector3 meanSpin(const btTransform& from, const btTransform& to, btScalar dt)
 	return axis * (sign * (sine > 0 ? angle / sine : btScalar(2)) / dt);
 }
 
+/// A callback of the game may have moved a kinematic body since Bullet has looked at it, and Bullet's velocity is that of the last frame.
+void followCallback(btRigidBody& body, btScalar dt)
+{
+	const btTransform &before = body.getInterpolationWorldTransform(), &now = body.getWorldTransform();
+	if (now == before || body.getActivationState() == ISLAND_SLEEPING)
+		return;
+	btVector3 velocity, spin;
+	btTransformUtil::calculateVelocity(before, now, dt, velocity, spin);
+	body.setLinearVelocity(velocity);
+	body.setAngularVelocity(spin);
+	body.setInterpolationLinearVelocity(velocity);
+	body.setInterpolationAngularVelocity(spin);
+	body.setInterpolationWorldTransform(now);
+}
+
 void put(btRigidBody& body, const btTransform& place, const btVector3& velocity, const btVector3& spin)
 {
 	body.setWorldTransform(place);
@@ -203,10 +218,7 @@ void IslandState::addKinematic(btRigidBody& body)
 	for (int i = 0; i < m_kinematic.size(); ++i)
 		if (m_kinematic[i].m_body == &body)
 			return;
-	// A callback of the game may have moved it since Bullet has looked at it: Bullet's velocity is that of the last frame.
-	const bool isMovedSince = !(body.getWorldTransform() == body.getInterpolationWorldTransform());
-	if (isMovedSince && !body.getMotionState() && body.getActivationState() != ISLAND_SLEEPING)
-		body.saveKinematicState(m_dt);
+	followCallback(body, m_dt);
 	m_kinematic.push_back({&body, body.getWorldTransform()});
 }
 
