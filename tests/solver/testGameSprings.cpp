@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "BulletDynamics/ConstraintSolver/btElasticPlasticEnergyAudit.h"
 #include "support/Precision.h"
 #include "world/EvenCapacity.h"
 #include "world/Place.h"
@@ -134,6 +135,47 @@ TEST(GameSprings, GoOnAfterASnapshot)
 	const btVector3 place = play();
 	ASSERT_TRUE(bar.m_world.restore(saved));
 	EXPECT_EQ(place, play());
+}
+
+TEST(GameSprings, KeepTheBooks)
+{
+	// What loads give with velocities was booked as gravity's.
+	for (const double gravity : {0., 9.81})
+	{
+		HeldBar bar(FORCE, 2, true, btMatrix3x3::getIdentity());
+		double weight = 0, height = 0;
+		for (btRigidBody* block : bar.m_blocks)
+		{
+			block->translate(btVector3(0, btScalar(0.2), 0));
+			block->setGravity(btVector3(0, btScalar(-gravity), 0));
+			weight += gravity / double(block->getInvMass());
+		}
+		const double before = bar.height();
+		btElasticPlasticEnergyAudit audit(bar.m_world.bullet(), bar.m_world.action());
+		for (int i = 0; i < 300; ++i)
+		{
+			if (i % 30 == 5)
+				bar.m_blocks[2]->applyCentralImpulse(btVector3(0, 0, 60));
+			audit.begin();
+			bar.m_world.step(btScalar(1) / 60);
+		}
+		height = bar.height() - before;
+		const btElasticPlasticEnergyBalance& balance = audit.getBalance();
+		EXPECT_GT(balance.m_turnover, 1000);
+		EXPECT_NEAR(0, balance.m_rest, byPrecision(1e-9, 1e-4) * balance.m_turnover);
+		// Weight times way, but for half a step of speed: velocities are not those of places.
+		const double halfStep = weight * 2.6 / 120;
+		EXPECT_NEAR(-weight * height, balance.m_gravity, halfStep + byPrecision(1e-9, 1e-2)) << gravity;
+		// The springs' potential energy, but for that, too.
+		double potential = 0;
+		for (int i = 0; i < HeldBar::BLOCKS; ++i)
+		{
+			const btVector3 away = bar.m_blocks[i]->getCenterOfMassPosition() - bar.m_origins[i];
+			potential += bar.m_stiffness / 2 * double(away.y() * away.y() + away.z() * away.z());
+		}
+		const double atBegin = bar.m_stiffness / 2 * HeldBar::BLOCKS * 0.04;
+		EXPECT_NEAR(atBegin - potential, balance.m_loads, 0.1 * balance.m_turnover) << gravity;
+	}
 }
 
 TEST(GameSprings, AThrustThatComesAtOnceIsNoBlow)

@@ -20,6 +20,7 @@ struct btElasticPlasticInnerMotion
 	/// step before that of its places; a body that falls into inner steps gets the speed that gravity gives it in between, and one that
 	/// is free afterwards gives it back.
 	double m_shift = 0;
+	double m_gravity = 0;  ///< of m_work and m_shift, what the body's weight has given to it [J]
 	/// By how much more than others have given to its velocity before the step, what comes in each step alike has given to it as a load within it [J], see
 	/// docs/theory.md#inner-steps: in m_work and m_shift, too.
 	double m_pushes = 0;

@@ -213,9 +213,8 @@ void EnergyFlow::endBody(btRigidBody& body, btScalar dt)
 	if (before->m_hasInnerSteps)
 	{
 		way = inner.m_way;
-		const double loads = double(others.dot(inner.m_way)) + double(body.getTotalTorque().dot(inner.m_turn));
-		m_balance.m_loads += loads;
-		m_balance.m_gravity += inner.m_work + inner.m_shift - inner.m_pushes - loads;
+		m_balance.m_gravity += inner.m_gravity;
+		m_balance.m_loads += inner.m_work + inner.m_shift - inner.m_pushes - inner.m_gravity;
 		m_balance.m_others += inner.m_pushes;
 		m_balance.m_contacts -= inner.m_contacts;
 		m_balance.m_friction -= inner.m_friction;

@@ -242,8 +242,9 @@ void transfer(Archive& archive, MotionImage& image)
 	archive(image.m_inner.m_steps);
 	for (btVector3* vector : {&image.m_inner.m_way, &image.m_inner.m_turn, &image.m_inner.m_pushed})
 		transfer(archive, *vector);
-	for (double* energy : {&image.m_inner.m_work, &image.m_inner.m_shift, &image.m_inner.m_contacts,
-						   &image.m_inner.m_friction, &image.m_inner.m_turning, &image.m_inner.m_pushes})
+	for (double* energy :
+		 {&image.m_inner.m_work, &image.m_inner.m_shift, &image.m_inner.m_contacts, &image.m_inner.m_friction,
+		  &image.m_inner.m_turning, &image.m_inner.m_pushes, &image.m_inner.m_gravity})
 		archive(*energy);
 	archive(image.m_isTouched);
 }

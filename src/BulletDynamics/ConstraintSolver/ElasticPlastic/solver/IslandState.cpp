@@ -149,7 +149,8 @@ void IslandState::addBodies(const SolverGroup& island, const JointRegistry& regi
 		m_bodies.push_back({body, body->getWorldTransform(), body->getLinearVelocity(), body->getAngularVelocity(),
 							btElasticPlasticInnerMotion(), body->getWorldTransform(), body->getLinearVelocity(),
 							body->getAngularVelocity(), body->getLinearVelocity(), body->getAngularVelocity(), 0, 0, 0,
-							findsPushes ? m_pushes.addBody(*body, registry.findLoads(*body)) : -1, -1, false, false});
+							0, findsPushes ? m_pushes.addBody(*body, registry.findLoads(*body)) : -1, -1, false,
+							false});
 	}
 }
 
@@ -305,7 +306,9 @@ void IslandState::shift(Body& body, btScalar later)
 {
 	btRigidBody& b = *body.m_body;
 	const btMatrix3x3& basis = b.getWorldTransform().getBasis();
-	const double before = kineticEnergy(b, basis, b.getLinearVelocity(), b.getAngularVelocity());
+	const auto energy = [&] { return kineticEnergy(b, basis, b.getLinearVelocity(), b.getAngularVelocity()); };
+	const double before = energy();
+	const btVector3 velocity = b.getLinearVelocity();
 	btVector3 acceleration = b.getGravity() * b.getLinearFactor();
 	if (body.m_load >= 0)
 	{
@@ -313,8 +316,9 @@ void IslandState::shift(Body& body, btScalar later)
 		acceleration += load.m_force.m_smooth * b.getInvMass() * b.getLinearFactor();
 		b.setAngularVelocity(b.getAngularVelocity() + b.getInvInertiaTensorWorld() * load.m_torque.m_smooth * later);
 	}
-	b.setLinearVelocity(b.getLinearVelocity() + acceleration * later);
-	body.m_inner.m_shift += kineticEnergy(b, basis, b.getLinearVelocity(), b.getAngularVelocity()) - before;
+	b.setLinearVelocity(velocity + acceleration * later);
+	body.m_inner.m_shift += energy() - before;
+	body.m_inner.m_gravity += double(weightOf(b).dot(velocity + b.getLinearVelocity())) * double(later) / 2;
 	body.m_ahead += later;
 }
 
@@ -358,7 +362,10 @@ void IslandState::shiftJoinedVelocities(const SolverGroup& island, btScalar h, b
 		return;
 	m_joinedShift.apply(isResolved);
 	for (int i = 0; i < m_bodies.size(); ++i)
+	{
 		m_bodies[i].m_inner.m_shift += m_joinedShift.getLoadWork(i);
+		m_bodies[i].m_inner.m_gravity += m_joinedShift.getWeightWork(i);
+	}
 }
 
 // ---- inner steps
@@ -512,6 +519,7 @@ void IslandState::note()
 		body.m_notedVelocity = body.m_body->getLinearVelocity();
 		body.m_notedSpin = body.m_body->getAngularVelocity();
 		body.m_notedShift = body.m_inner.m_shift;
+		body.m_notedGravity = body.m_inner.m_gravity;
 		body.m_notedAhead = body.m_ahead;
 	}
 	for (int i = 0; i < m_joints.size(); ++i)
@@ -525,6 +533,7 @@ void IslandState::takeBack()
 		Body& body = m_bodies[i];
 		put(*body.m_body, body.m_place, body.m_notedVelocity, body.m_notedSpin);
 		body.m_inner.m_shift = body.m_notedShift;
+		body.m_inner.m_gravity = body.m_notedGravity;
 		body.m_ahead = body.m_notedAhead;
 	}
 	for (int i = 0; i < m_points.size(); ++i)
@@ -575,6 +584,7 @@ void IslandState::move(btScalar h)
 		inner.m_turn += w * h;
 		const btVector3 way = (before.m_velocity + v) * (h / 2), turn = (before.m_spin + w) * (h / 2);
 		inner.m_work += double(body.getTotalForce().dot(way)) + double(body.getTotalTorque().dot(turn));
+		inner.m_gravity += double(weightOf(body).dot(way));
 		inner.m_pushes += m_pushes.getWork(before.m_given, way, turn);
 		btTransform to;
 		body.predictIntegratedTransform(h, to);

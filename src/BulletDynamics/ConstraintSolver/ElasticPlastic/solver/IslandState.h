@@ -113,7 +113,7 @@ private:
 		btTransform m_place;  ///< when the inner step began
 		btVector3 m_velocity, m_spin;
 		btVector3 m_notedVelocity, m_notedSpin;  ///< see note()
-		double m_notedShift;                     ///< of m_inner
+		double m_notedShift, m_notedGravity;     ///< of m_inner
 		btScalar m_ahead,
 			m_notedAhead;   ///< the time by which its velocity belongs to a later one than before the step [s]
 		int m_given;        ///< of m_pushes

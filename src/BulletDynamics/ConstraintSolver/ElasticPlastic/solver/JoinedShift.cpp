@@ -73,7 +73,7 @@ void JoinedShift::collect(const SolverGroup& island, const std::vector<btRigidBo
 	for (btRigidBody* body : bodies)
 	{
 		body->setCompanionId(m_bodies.size());
-		m_bodies.push_back({body, false, 0, zero, zero, zero, zero, zero, zero, zero, zero});
+		m_bodies.push_back({body, false, 0, zero, zero, zero, zero, zero, zero, zero, zero, zero});
 	}
 	for (int i = 0; i < island.m_numConstraints; ++i)
 	{
@@ -166,6 +166,7 @@ void JoinedShift::find(bool withLoads)
 		const btRigidBody& b = *body.m_body;
 		const btScalar time = withLoads ? body.m_time : btScalar(0);
 		body.m_force = (weightOf(b) + commonOf(body.m_force, forceBesideWeight(b))) * time;
+		body.m_weight = weightOf(b) * time;
 		body.m_torque = commonOf(body.m_torque, b.getTotalTorque()) * time;
 		body.m_isLeftOut |= body.m_time == 0;
 		if (body.m_isLeftOut)
@@ -204,6 +205,7 @@ void JoinedShift::apply(bool isResolved)
 		body.m_meanLinear = b.getLinearVelocity() + body.m_linear * (share / 2);
 		body.m_meanAngular = b.getAngularVelocity() + body.m_angular * (share / 2);
 		body.m_force *= share;
+		body.m_weight *= share;
 		body.m_torque *= share;
 		b.setLinearVelocity(b.getLinearVelocity() + body.m_linear * share);
 		b.setAngularVelocity(b.getAngularVelocity() + body.m_angular * share);
@@ -262,6 +264,12 @@ double JoinedShift::getLoadWork(int body) const
 {
 	const Body& b = m_bodies[body];
 	return b.m_isLeftOut ? 0 : double(b.m_force.dot(b.m_meanLinear)) + double(b.m_torque.dot(b.m_meanAngular));
+}
+
+double JoinedShift::getWeightWork(int body) const
+{
+	const Body& b = m_bodies[body];
+	return b.m_isLeftOut ? 0 : double(b.m_weight.dot(b.m_meanLinear));
 }
 
 void JoinedShift::bookWork(btScalar share)

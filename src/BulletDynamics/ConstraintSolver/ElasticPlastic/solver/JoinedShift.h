@@ -53,6 +53,8 @@ public:
 
 	/// What a body's loads have given to it [J].
 	double getLoadWork(int body) const;
+	/// Of that what its weight has given to it [J].
+	double getWeightWork(int body) const;
 
 private:
 	struct Body
@@ -62,6 +64,7 @@ private:
 		btScalar m_time;                        ///< between the two times, below 0 where steps become longer [s]
 		btVector3 m_impulse, m_twist;           ///< of joints [N s], [N m s]
 		btVector3 m_force, m_torque;            ///< loads of the last step beside its weight [N], [N m]
+		btVector3 m_weight;                     ///< its part of what loads give [N s]
 		btVector3 m_linear, m_angular;          ///< velocity that it gets [m/s], [rad/s]
 		btVector3 m_meanLinear, m_meanAngular;  ///< of before and after
 	};
