@@ -412,6 +412,30 @@ TEST(KinematicBodies, TakeAlongWhatSleepsOnThem)
 	}
 }
 
+TEST(KinematicBodies, MayBecomeFreeOrStaticAsWhatSleepsOnThemWakes)
+{
+	for (const bool isFree : {true, false})
+	{
+		Platform scene(Solver::Direct, btVector3(0, 0, 0));
+		scene.m_world.allowSleep(btScalar(0.5));
+		scene.run(240, 1);
+		ASSERT_FALSE(scene.m_block->isActive());
+		scene.m_platform->activate(true);
+		scene.m_velocity = btVector3(0, btScalar(0.3), 0);
+		scene.run(1, 1);
+		EXPECT_GT(scene.m_joint->getState().m_support.m_late, 0);
+		scene.m_platform->setMotionState(nullptr);
+		if (isFree)
+			scene.m_platform->setMassProps(500, btVector3(50, 50, 50));
+		scene.m_platform->setCollisionFlags(isFree ? 0 : int(btCollisionObject::CF_STATIC_OBJECT));
+		for (int i = 0; i < 30; ++i)
+			scene.m_world.bullet().stepSimulation(btScalar(1) / 60, 0);
+		EXPECT_TRUE(isFinite(*scene.m_block));
+		// Where it is now the block finds it a step's way off.
+		EXPECT_LT(scene.m_block->getLinearVelocity().length(), 10);
+	}
+}
+
 TEST(KinematicBodies, CountTheirSubsteps)
 {
 	Pair pair;

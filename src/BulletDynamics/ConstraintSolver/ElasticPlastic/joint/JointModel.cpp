@@ -43,8 +43,9 @@ const btRigidBody* JointModel::support() const
 
 void JointModel::measure(Kinematics& kinematics, btScalar lead) const
 {
-	if (lead > 0)
-		measureAt(kinematics, placeBefore(support()->getCenterOfMassTransform(), *support(), lead));
+	const btRigidBody* const body = lead > 0 ? support() : nullptr;
+	if (body)
+		measureAt(kinematics, placeBefore(body->getCenterOfMassTransform(), *body, lead));
 	else
 		measureBetween(kinematics, bodyA().getCenterOfMassTransform(), bodyB().getCenterOfMassTransform());
 }

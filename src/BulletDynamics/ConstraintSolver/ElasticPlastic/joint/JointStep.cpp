@@ -71,10 +71,11 @@ void JointStep::takeBackKinematicMotion()
 
 bool JointStep::evaluate(btScalar dt, btScalar share)
 {
+	const SupportWay support(m_model);
 	if (!m_isLeadFound)
-		m_lead = SupportWay(m_model).findLead(dt / share);
+		m_lead = support.findLead(dt / share);
 	m_isLeadFound = true;
-	m_model.measure(m_kinematics, m_lead + m_model.m_state.m_support.m_late);
+	m_model.measure(m_kinematics, m_lead + support.getLate());
 	if (!m_kinematics.isUsable() || !(dt > 0) || !btElasticPlasticIsFinite(dt))
 	{
 		revert();

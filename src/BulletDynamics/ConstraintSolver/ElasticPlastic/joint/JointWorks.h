@@ -151,7 +151,11 @@ public:
 	bool wasInStep() const { return m_step.getNumCommittedRows() > 0; }
 
 	/// Forgets what the joint stands on: it is not followed any more.
-	void forgetSupport() { m_model.m_state.m_support = btElasticPlasticState::Support(); }
+	void forgetSupport()
+	{
+		m_model.m_state.m_support = btElasticPlasticState::Support();
+		m_step.forgetLead();
+	}
 
 	/// Whether the joint has stood on a static or kinematic body, or has not been looked at yet.
 	bool mayHaveSupport() const;

@@ -143,6 +143,13 @@ btScalar SupportWay::findLead(btScalar step) const
 	return isNear ? (nearest - 1) * step : btScalar(0);
 }
 
+btScalar SupportWay::getLate() const
+{
+	// It may have become another kind of body since.
+	const btRigidBody* const body = m_model.support();
+	return body && isFollowed(*body) ? m_model.m_state.m_support.m_late : btScalar(0);
+}
+
 // ---- the end of a substep
 
 bool SupportWay::follow(btScalar step, btScalar lead)

@@ -39,6 +39,9 @@ public:
 	/// \param step  length of the substep [s]
 	btScalar findLead(btScalar step) const;
 
+	/// By which time the joint follows it late, since it has moved while the joint slept [s].
+	btScalar getLate() const;
+
 	/// Follows it, as each substep has ended.
 	/// \param lead  that the joint's step has begun with [s]; below 0: the joint has had no part in the substep
 	/// \return whether it is elsewhere than before
