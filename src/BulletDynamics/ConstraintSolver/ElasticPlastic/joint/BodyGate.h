@@ -19,6 +19,18 @@ inline bool isFrozen(const btRigidBody& body) { return body.getActivationState()
 /// Whether a body stands, or goes its way, whatever acts on it.
 inline bool isHeld(const btRigidBody& body) { return body.isStaticOrKinematicObject() || isFrozen(body); }
 
+/// Bullet takes over no motion of a kinematic body that sleeps, and leaves it its last velocity.
+inline bool isKinematicAndAwake(const btRigidBody& body)
+{
+	return body.isKinematicObject() && body.getActivationState() != ISLAND_SLEEPING;
+}
+
+/// The broadphase's uid of a body, which tells it from a later one at its address; -1: it is in no world.
+inline int uidOf(const btRigidBody& body)
+{
+	return body.getBroadphaseHandle() ? body.getBroadphaseHandle()->getUid() : -1;
+}
+
 /// \return a fault if a body that can move is in no world, or is a collision object of another kind that was cast to a rigid body
 btElasticPlasticFault findMissingWorld(const btRigidBody& body, bool isBodyA);
 

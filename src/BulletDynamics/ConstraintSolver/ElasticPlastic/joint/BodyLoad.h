@@ -18,6 +18,16 @@ inline btVector3 weightOf(const btRigidBody& body)
 /// The force that acts on a body in a step beside its weight [N]: exactly 0 if nobody has applied one.
 inline btVector3 forceBesideWeight(const btRigidBody& body) { return body.getTotalForce() - weightOf(body); }
 
+/// What is to be applied to a body with factors that it takes up all of it; nothing along axes along which it does not move.
+inline btVector3 beforeFactor(const btVector3& load, const btVector3& factor)
+{
+	btVector3 applied(0, 0, 0);
+	for (int k = 0; k < 3; ++k)
+		if (factor[k] != 0)
+			applied[k] = load[k] / factor[k];
+	return applied;
+}
+
 /// By component what two loads, or changes of loads, have in common.
 inline btVector3 commonOf(const btVector3& a, const btVector3& b)
 {

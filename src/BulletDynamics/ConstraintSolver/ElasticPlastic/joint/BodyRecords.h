@@ -32,8 +32,9 @@ public:
 	{
 		if (m_taken.empty() && m_last.empty())
 			return;
-		set(m_taken);
+		m_last.swap(m_taken);
 		m_taken.clear();
+		index();
 	}
 
 	/// Of the last substep.
@@ -41,9 +42,7 @@ public:
 	void set(const std::vector<Record>& records)
 	{
 		m_last = records;
-		m_indexOf.clear();
-		for (size_t i = 0; i < m_last.size(); ++i)
-			m_indexOf.insert(btHashPtr(m_last[i].m_body), int(i));
+		index();
 	}
 
 	/// \return null if there is none of a body
@@ -54,6 +53,13 @@ public:
 	}
 
 private:
+	void index()
+	{
+		m_indexOf.clear();
+		for (size_t i = 0; i < m_last.size(); ++i)
+			m_indexOf.insert(btHashPtr(m_last[i].m_body), int(i));
+	}
+
 	std::vector<Record> m_taken, m_last;
 	btHashMap<btHashPtr, int> m_indexOf;  ///< of m_last, by body
 };

@@ -4,16 +4,16 @@
 #ifndef BT_ELASTIC_PLASTIC_JOINED_VELOCITY_H
 #define BT_ELASTIC_PLASTIC_JOINED_VELOCITY_H
 
-#include "BulletDynamics/Dynamics/btRigidBody.h"
+#include "BodyGate.h"
 
 namespace btElasticPlastic
 {
 // How joints and contacts see bodies move: a static body stands, whatever velocity it has been given. Bullet never moves it, and its rows of contacts take it as standing, too.
-// And so does a kinematic one that sleeps: Bullet takes over no motion of it, and leaves it its last velocity.
+// And so does a kinematic one that sleeps.
 
 inline bool isStanding(const btRigidBody& body)
 {
-	return body.isKinematicObject() ? body.getActivationState() == ISLAND_SLEEPING : body.isStaticObject();
+	return body.isStaticOrKinematicObject() && !isKinematicAndAwake(body);
 }
 
 /// [rad/s]

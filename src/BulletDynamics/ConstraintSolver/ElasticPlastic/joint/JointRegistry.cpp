@@ -370,8 +370,9 @@ void JointRegistry::leaveIfGone(const btDynamicsWorld& world, JointWorks& joint)
 		joint.leaveUncommitted();
 }
 
-/// To be asked after the joint's commit. Of sleeping joints those are looked at that stand on something.
-bool JointRegistry::hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint, btScalar timeStep)
+/// Looks at a joint's load and follows what it stands on, after its commit. Of sleeping joints those are looked at that stand on something.
+/// \return whether its bodies have to stay awake
+bool JointRegistry::watch(const btDynamicsWorld& world, JointWorks& joint, btScalar timeStep)
 {
 	const bool mayBeWatched = joint.wasInStep() || (joint.mayHaveSupport() && isInWorld(world, joint));
 	if (mayBeWatched)
@@ -415,7 +416,7 @@ void JointRegistry::commitJoints(const btDynamicsWorld& world, btScalar timeStep
 		const int outcome = joint.commit();
 		if (wasInStep && !joint.wasInStep())
 			m_leftOut.push_back(&joint);
-		if (hasToStayAwake(world, joint, timeStep))
+		if (watch(world, joint, timeStep))
 			joint.wakeBodies();
 		if (joint.wasInStep() && joint.m_levels.isAnySet())
 			reportLevels(joint);

@@ -230,7 +230,7 @@ private:
 	void commitJoints(const btDynamicsWorld& world, btScalar timeStep);
 	bool isInWorld(const btDynamicsWorld& world, JointWorks& joint);
 	void leaveIfGone(const btDynamicsWorld& world, JointWorks& joint);
-	bool hasToStayAwake(const btDynamicsWorld& world, JointWorks& joint, btScalar timeStep);
+	bool watch(const btDynamicsWorld& world, JointWorks& joint, btScalar timeStep);
 	void wakeNeighbours(btDynamicsWorld& world, btRigidBody& body);
 	void tellLeftOut(const btDynamicsWorld& world);
 	void removeBrokenFromWorld(btDynamicsWorld& world);

@@ -163,6 +163,7 @@ public:
 	/// Whether the joint's bodies must not sleep: its load has changed, it flows, or what it stands on moves.
 	/// To be called after commit(), while the bodies exist.
 	/// \param share  of the yield value; see LoadWatch
+	/// \param step   length of the substep, after which its support is followed (SupportWay) [s]
 	bool isLoadChanging(btScalar share, btScalar step);
 
 	/// What the joint has given body A in the last step [N s], and how fast body B moves against body A at the joint [m/s], in world

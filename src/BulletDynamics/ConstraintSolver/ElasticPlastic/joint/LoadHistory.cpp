@@ -3,6 +3,7 @@
 
 #include "LoadHistory.h"
 
+#include "BodyGate.h"
 #include "BodyLoad.h"
 
 namespace btElasticPlastic
@@ -39,7 +40,7 @@ void LoadHistory::Part::follow(const btVector3& load)
 
 void LoadHistory::follow(btRigidBody& body, btScalar dt)
 {
-	const int proxy = body.getBroadphaseHandle() ? body.getBroadphaseHandle()->getUid() : -1;
+	const int proxy = uidOf(body);
 	if (m_body != &body || m_proxy != proxy)
 		*this = LoadHistory();
 	m_body = &body;

@@ -7,6 +7,7 @@
 
 #include <initializer_list>
 
+#include "BodyGate.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 #include "LinearMath/btTransformUtil.h"
 
@@ -32,12 +33,6 @@ const btScalar MOST_LATE = 4;
 bool isTimes(const btVector3& way, btScalar times, const btVector3& one)
 {
 	return (way - one * times).length2() <= LIKE * LIKE * way.length2();
-}
-
-/// Bullet takes over no motion of one that sleeps.
-bool isFollowed(const btRigidBody& body)
-{
-	return body.isKinematicObject() && body.getActivationState() != ISLAND_SLEEPING;
 }
 
 bool isOnItsWay(const btRigidBody& body)
@@ -87,14 +82,23 @@ int SupportWay::countSubsteps(const btRigidBody& body, btScalar step) const
 	return last.m_kind == Support::SEEN ? btElasticPlastic::countSubsteps(last.m_place, body, step) : 0;
 }
 
+bool SupportWay::isShownAnew(const btRigidBody& body) const
+{
+	const Support& last = m_model.m_state.m_support;
+	return last.m_kind != Support::SEEN || !(body.getInterpolationWorldTransform() == last.m_place);
+}
+
+/// Of the lead that it had as it was shown there.
+btScalar SupportWay::leadLeft(btScalar step) const
+{
+	const btScalar left = m_model.m_state.m_support.m_lead - step;
+	return left > step / 2 ? left : btScalar(0);
+}
+
 /// Without the joint's deformation.
 btScalar SupportWay::leadBesideStep(const btRigidBody& body, btScalar step) const
 {
-	const Support& last = m_model.m_state.m_support;
-	if (last.m_kind != Support::SEEN || !(body.getInterpolationWorldTransform() == last.m_place))
-		return btScalar(btMax(countSubsteps(body, step) - 1, 0)) * step;
-	const btScalar left = last.m_lead - step;
-	return left > step / 2 ? left : btScalar(0);
+	return isShownAnew(body) ? btScalar(btMax(countSubsteps(body, step) - 1, 0)) * step : leadLeft(step);
 }
 
 /// By how many substeps of its way the support is shown ahead of where the joint's last deformation has it.
@@ -126,13 +130,13 @@ btScalar SupportWay::substepsTo(const btRigidBody& support, btScalar step, btSca
 btScalar SupportWay::findLead(btScalar step) const
 {
 	const btRigidBody* const body = m_model.support();
-	if (!body || !isFollowed(*body))
+	if (!body || !isKinematicAndAwake(*body))
 		return 0;
-	const Support& last = m_model.m_state.m_support;
-	const bool isFirst = last.m_kind != Support::SEEN || !(body->getInterpolationWorldTransform() == last.m_place);
-	const int count = isFirst ? countSubsteps(*body, step) : 0;
-	if (!isFirst || count == 1)
-		return leadBesideStep(*body, step);
+	if (!isShownAnew(*body))
+		return leadLeft(step);
+	const int count = countSubsteps(*body, step);
+	if (count == 1)
+		return 0;
 	btScalar left = 0;
 	const btScalar measured = substepsTo(*body, step, left);
 	if (count > 1)
@@ -147,7 +151,7 @@ btScalar SupportWay::getLate() const
 {
 	// It may have become another kind of body since.
 	const btRigidBody* const body = m_model.support();
-	return body && isFollowed(*body) ? m_model.m_state.m_support.m_late : btScalar(0);
+	return body && isKinematicAndAwake(*body) ? m_model.m_state.m_support.m_late : btScalar(0);
 }
 
 // ---- the end of a substep
@@ -162,7 +166,7 @@ bool SupportWay::follow(btScalar step, btScalar lead)
 	if (body)
 	{
 		now.m_place = body->getCenterOfMassTransform();
-		now.m_lead = isInStep ? lead : isFollowed(*body) ? leadBesideStep(*body, step) : btScalar(0);
+		now.m_lead = isInStep ? lead : isKinematicAndAwake(*body) ? leadBesideStep(*body, step) : btScalar(0);
 		now.m_late = isInStep ? last.m_late * STILL_LATE : last.m_late;
 		if (now.m_late < LEAST_LATE * step)
 			now.m_late = 0;
@@ -171,7 +175,7 @@ bool SupportWay::follow(btScalar step, btScalar lead)
 		last.m_kind != Support::NOT_SEEN && (last.m_kind != now.m_kind || !(last.m_place == now.m_place));
 	// It goes on along its way, and is not to be found there at once by what wakes.
 	const btRigidBody& other = body == &m_model.bodyA() ? m_model.bodyB() : m_model.bodyA();
-	if (body && hasMoved && !isInStep && isFollowed(*body) && isOnItsWay(*body) &&
+	if (body && hasMoved && !isInStep && isKinematicAndAwake(*body) && isOnItsWay(*body) &&
 		other.getActivationState() == ISLAND_SLEEPING)
 		now.m_late = btMin(now.m_late + step, MOST_LATE * step);
 	last = now;

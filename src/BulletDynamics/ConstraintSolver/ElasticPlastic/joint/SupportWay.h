@@ -52,7 +52,9 @@ public:
 	void keepAwake(bool hasMoved);
 
 private:
+	bool isShownAnew(const btRigidBody& body) const;
 	int countSubsteps(const btRigidBody& body, btScalar step) const;
+	btScalar leadLeft(btScalar step) const;
 	btScalar substepsTo(const btRigidBody& support, btScalar step, btScalar& left) const;
 	btScalar leadBesideStep(const btRigidBody& body, btScalar step) const;
 

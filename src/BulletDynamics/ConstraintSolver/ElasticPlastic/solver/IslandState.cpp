@@ -36,7 +36,7 @@ btVector3 meanSpin(const btTransform& from, const btTransform& to, btScalar dt)
 void followCallback(btRigidBody& body, btScalar dt)
 {
 	const btTransform &before = body.getInterpolationWorldTransform(), &now = body.getWorldTransform();
-	if (now == before || body.getActivationState() == ISLAND_SLEEPING)
+	if (now == before || !isKinematicAndAwake(body))
 		return;
 	btVector3 velocity, spin;
 	btTransformUtil::calculateVelocity(before, now, dt, velocity, spin);
@@ -305,20 +305,20 @@ void IslandState::endShift(btScalar later)
 void IslandState::shift(Body& body, btScalar later)
 {
 	btRigidBody& b = *body.m_body;
-	const btMatrix3x3& basis = b.getWorldTransform().getBasis();
-	const auto energy = [&] { return kineticEnergy(b, basis, b.getLinearVelocity(), b.getAngularVelocity()); };
-	const double before = energy();
-	const btVector3 velocity = b.getLinearVelocity();
 	btVector3 acceleration = b.getGravity() * b.getLinearFactor();
 	if (body.m_load >= 0)
 	{
 		const LoadHistory& load = m_loads[size_t(body.m_load)];
 		acceleration += load.m_force.m_smooth * b.getInvMass() * b.getLinearFactor();
-		b.setAngularVelocity(b.getAngularVelocity() + b.getInvInertiaTensorWorld() * load.m_torque.m_smooth * later);
+		const btVector3 spin = b.getAngularVelocity(), twist = load.m_torque.m_smooth * later,
+						turned = b.getInvInertiaTensorWorld() * twist;
+		b.setAngularVelocity(spin + turned);
+		body.m_inner.m_shift += double((spin + turned / 2).dot(twist));
 	}
-	b.setLinearVelocity(velocity + acceleration * later);
-	body.m_inner.m_shift += energy() - before;
-	body.m_inner.m_gravity += double(weightOf(b).dot(velocity + b.getLinearVelocity())) * double(later) / 2;
+	const btVector3 change = acceleration * later, mean = b.getLinearVelocity() + change / 2;
+	b.setLinearVelocity(b.getLinearVelocity() + change);
+	body.m_inner.m_shift += double(mean.dot(change)) / double(b.getInvMass());
+	body.m_inner.m_gravity += double(weightOf(b).dot(mean)) * double(later);
 	body.m_ahead += later;
 }
 
@@ -622,7 +622,7 @@ void IslandState::finish(int steps, std::vector<BodyMotion>& motions)
 		BodyMotion motion;
 		motion.m_body = &body;
 		motion.m_index = body.getWorldArrayIndex();
-		motion.m_proxy = body.getBroadphaseHandle() ? body.getBroadphaseHandle()->getUid() : -1;
+		motion.m_proxy = uidOf(body);
 		motion.m_end = body.getWorldTransform();
 		motion.m_linear = body.getLinearVelocity();
 		motion.m_angular = body.getAngularVelocity();

@@ -4,6 +4,7 @@
 #include "SteadyPushes.h"
 
 #include "../joint/BodyEnergy.h"
+#include "../joint/BodyLoad.h"
 #include "../joint/RigidMotion.h"
 
 namespace btElasticPlastic
@@ -59,16 +60,6 @@ void setGreater(btVector3& of, const btVector3& other)
 {
 	if (other.length2() > of.length2())
 		of = other;
-}
-
-/// What is to be applied to a body with factors that it takes up all of it; nothing along axes along which it does not move.
-btVector3 beforeFactor(const btVector3& load, const btVector3& factor)
-{
-	btVector3 applied(0, 0, 0);
-	for (int k = 0; k < 3; ++k)
-		if (factor[k] != 0)
-			applied[k] = load[k] / factor[k];
-	return applied;
 }
 }  // namespace
 

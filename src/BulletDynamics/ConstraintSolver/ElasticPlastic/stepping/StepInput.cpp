@@ -3,6 +3,8 @@
 
 #include "StepInput.h"
 
+#include "../joint/BodyGate.h"
+#include "../joint/BodyLoad.h"
 #include "BulletDynamics/Dynamics/btDynamicsWorld.h"
 #include "BulletDynamics/Dynamics/btRigidBody.h"
 
@@ -10,16 +12,6 @@ namespace btElasticPlastic
 {
 namespace
 {
-/// Divides a load by the body's factors, with which Bullet multiplies it again when it is applied.
-btVector3 over(btVector3 load, const btVector3& factor)
-{
-	for (int k = 0; k < 3; ++k)
-		load[k] = factor[k] == 0 ? btScalar(0) : load[k] / factor[k];
-	return load;
-}
-
-int proxyOf(const btRigidBody& body) { return body.getBroadphaseHandle() ? body.getBroadphaseHandle()->getUid() : -1; }
-
 btTransform wantedPlaceOf(btRigidBody& body)
 {
 	btTransform place = body.getWorldTransform();
@@ -27,17 +19,12 @@ btTransform wantedPlaceOf(btRigidBody& body)
 		body.getMotionState()->getWorldTransform(place);
 	return place;
 }
-
-bool isKinematicAndAwake(const btRigidBody& body)
-{
-	return body.isKinematicObject() && body.getActivationState() != ISLAND_SLEEPING;
-}
 }  // namespace
 
 StepInput::Way::Way(btRigidBody& body, const btTransform& end)
 	: m_body(&body),
 	  m_motionState(body.getMotionState()),
-	  m_proxy(proxyOf(body)),
+	  m_proxy(uidOf(body)),
 	  m_start(body.getInterpolationWorldTransform()),
 	  m_end(end),
 	  m_place(end)
@@ -80,8 +67,8 @@ StepInput::StepInput(btDynamicsWorld& world, btScalar dt) : m_world(world)
 	{
 		btRigidBody* const body = btRigidBody::upcast(objects[i]);
 		if (body && !(body->getTotalForce().isZero() && body->getTotalTorque().isZero()))
-			m_loads.insert(btHashPtr(body), {proxyOf(*body), over(body->getTotalForce(), body->getLinearFactor()),
-											 over(body->getTotalTorque(), body->getAngularFactor())});
+			m_loads.insert(btHashPtr(body), {uidOf(*body), beforeFactor(body->getTotalForce(), body->getLinearFactor()),
+											 beforeFactor(body->getTotalTorque(), body->getAngularFactor())});
 		if (!body || !isKinematicAndAwake(*body))
 			continue;
 		const btTransform end = wantedPlaceOf(*body), &start = body->getInterpolationWorldTransform();
@@ -108,13 +95,13 @@ void StepInput::apply(btScalar share)
 		if (!body)
 			continue;
 		const Load* const load = m_hasBegun ? m_loads.find(btHashPtr(body)) : nullptr;
-		if (load && load->m_proxy == proxyOf(*body))
+		if (load && load->m_proxy == uidOf(*body))
 		{
 			body->applyCentralForce(load->m_force);
 			body->applyTorque(load->m_torque);
 		}
 		Way* const way = m_ways.find(btHashPtr(body));
-		if (way && way->getProxy() == proxyOf(*body) && isKinematicAndAwake(*body))
+		if (way && way->getProxy() == uidOf(*body) && isKinematicAndAwake(*body))
 			way->go(share);
 	}
 	m_hasBegun = true;
